@@ -1,0 +1,70 @@
+# One target per habitual action; `make` alone lists them.
+
+PYTHON ?= python3
+VENV   := .venv
+BIN    := $(VENV)/bin
+PIP    := $(BIN)/python -m pip --quiet --disable-pip-version-check
+PINNED := $(VENV)/.pinned
+READY  := $(VENV)/.ready
+
+.DEFAULT_GOAL := help
+.DELETE_ON_ERROR:
+
+.PHONY: help
+help: ## list the targets
+	@awk -F ':.*## ' '/^[a-z.]+:.*## / { printf "  make %-9s %s\n", $$1, $$2 }' $(firstword $(MAKEFILE_LIST))
+
+# The packages exactly as pinned: made from nothing whenever the pins change.
+$(PINNED): requirements.txt
+	@echo "setting up $(VENV) with $$($(PYTHON) --version)"
+	@$(PYTHON) -m venv --clear $(VENV)
+	@$(PIP) install --require-hashes -r requirements.txt
+	@touch $@
+
+# The project itself, editable; its build backend is one of the pinned packages.
+$(READY): $(PINNED) pyproject.toml
+	@$(PIP) install --no-deps --no-build-isolation --editable .
+	@touch $@
+
+.PHONY: $(VENV)
+$(VENV): $(READY) ## set up the virtual environment (the targets that need it do so themselves)
+	@:
+
+.PHONY: check
+check: $(READY) ## check the specification: every property against every rule and the reference
+	@$(BIN)/graphbody check
+
+.PHONY: test
+test: $(READY) ## run the tests
+	@$(BIN)/pytest -n 2
+
+.PHONY: mutants
+mutants: $(READY) ## show that the properties catch deliberately broken rules
+	@$(BIN)/graphbody mutants
+
+.PHONY: lint
+lint: $(READY) ## check style, formatting, types and the layering of the packages
+	@$(BIN)/ruff check .
+	@$(BIN)/ruff format --check .
+	@$(BIN)/mypy
+	@$(BIN)/lint-imports --no-logo
+
+.PHONY: format
+format: $(READY) ## format the code and sort the imports
+	@$(BIN)/ruff check --fix-only .
+	@$(BIN)/ruff format .
+
+# uv resolves once for every supported Python and platform. It lives in a throw-away environment,
+# because nothing but this target needs it.
+.PHONY: pins
+pins: ## resolve requirements.txt anew, to the newest versions that pyproject.toml allows
+	@$(PYTHON) -m venv build/pins
+	@build/pins/bin/python -m pip --quiet --disable-pip-version-check install --upgrade uv
+	@build/pins/bin/uv pip compile --quiet --upgrade --universal --python-version 3.11 \
+		--fork-strategy fewest --generate-hashes --custom-compile-command 'make pins' \
+		--no-emit-index-url --no-emit-find-links --extra dev --output-file requirements.txt pyproject.toml
+
+.PHONY: clean
+clean: ## remove everything that can be made again
+	@rm -rf $(VENV) build dist .pytest_cache .mypy_cache .ruff_cache .import_linter_cache .hypothesis
+	@find . -name __pycache__ -type d -prune -exec rm -rf {} +

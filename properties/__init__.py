@@ -1,0 +1,1 @@
+"""The evidence: strategies, symbolic engine, proofs, witnesses, mutants, and the command line."""

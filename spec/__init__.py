@@ -1,0 +1,1 @@
+"""What must hold: rules, invariants, conditions and readings of graph-based movement."""

@@ -1,0 +1,44 @@
+"""Bodies: two edge positions each, their left and their right border (4.3.1, 2EP); and levels of them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Generic
+
+from spec.graph import Direction, Graph
+from spec.number import N
+
+
+@dataclass(frozen=True)
+class EdgePosition(Generic[N]):
+    """An edge (its index) and a location on it, measured from the edge's left vertex (4.3.1; R7).
+
+    At a vertex that two edges share, a border has two names and keeps that of the edge it came along (A57).
+    """
+
+    edge: int
+    location: N
+
+
+@dataclass(frozen=True)
+class Body(Generic[N]):
+    """A graphbody: a character if its speed is not 0, else a box. Speed is distance per second."""
+
+    name: str
+    left: EdgePosition[N]
+    right: EdgePosition[N]
+    speed: N
+
+    def border(self, direction: Direction) -> EdgePosition[N]:
+        """The border on one side."""
+        return self.right if direction is Direction.RIGHT else self.left
+
+
+@dataclass(frozen=True)
+class Level(Generic[N]):
+    """A graph, the collision margin, the length of a tick in seconds, and bodies in the level's order."""
+
+    graph: Graph[N]
+    margin: N
+    tick: N
+    bodies: tuple[Body[N], ...]

@@ -1,0 +1,124 @@
+"""The navigation graph: vertices, edges, and the look-up of what follows an edge (1.2, 6.1.3)."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from enum import Enum, IntEnum
+from fractions import Fraction
+from math import isqrt
+from typing import Generic
+
+from spec.number import N
+
+
+class Direction(IntEnum):
+    """The two directions of graph space (6.1.1). Left to right is the order of a level's vertices (A58)."""
+
+    LEFT = -1
+    RIGHT = 1
+
+    @property
+    def opposite(self) -> Direction:
+        """The other direction."""
+        return Direction(-self)
+
+
+class EdgeType(Enum):
+    """Bodies move on ground edges and fall down fall edges (1.2, R2)."""
+
+    GROUND = "ground"
+    FALL = "fall"
+
+
+@dataclass(frozen=True)
+class Vertex(Generic[N]):
+    """A point of the level's plane, unrolled where the level is a cylinder; y points up."""
+
+    x: N
+    y: N
+
+
+@dataclass(frozen=True)
+class Edge(Generic[N]):
+    """An edge from its left to its right vertex (indices), with its length along the graph."""
+
+    left: int
+    right: int
+    type: EdgeType
+    length: N
+
+    def towards(self, direction: Direction) -> int:
+        """The vertex at the edge's end in a direction."""
+        return self.right if direction is Direction.RIGHT else self.left
+
+
+EdgeKey = tuple[int, Direction, EdgeType]
+
+
+@dataclass(frozen=True)
+class Graph(Generic[N]):
+    """Vertices and edges; `circumference` is that of the cylinder on which the level lies, or None."""
+
+    vertices: tuple[Vertex[N], ...]
+    edges: tuple[Edge[N], ...]
+    circumference: N | None = None
+    table: dict[EdgeKey, list[int]] = field(init=False, repr=False, compare=False)
+
+    def __post_init__(self) -> None:
+        """Make the dictionary of edges at start-up (6.1.3, R14)."""
+        table: dict[EdgeKey, list[int]] = {}
+        for index, edge in enumerate(self.edges):
+            table.setdefault((edge.left, Direction.RIGHT, edge.type), []).append(index)
+            table.setdefault((edge.right, Direction.LEFT, edge.type), []).append(index)
+        object.__setattr__(self, "table", table)
+
+    def look_up(self, vertex: int, direction: Direction, edge_type: EdgeType) -> Sequence[int]:
+        """The edges of a type that leave a vertex in a direction, as a list (6.1.3, R14)."""
+        return self.table.get((vertex, direction, edge_type), ())
+
+
+class IrrationalLength(ValueError):
+    """An edge whose length is not a rational number, so that nothing on it can be computed exactly."""
+
+    def __init__(self, edge: int) -> None:
+        """Remember the edge's place in the list of edges."""
+        super().__init__(f"edge {edge} has an irrational length; choose vertices with a rational distance")
+        self.edge = edge
+
+
+def rational_root(square: Fraction) -> Fraction | None:
+    """The root of a rational number, or None where it is irrational."""
+    above, below = isqrt(square.numerator), isqrt(square.denominator)
+    root = Fraction(above, below)
+    return root if root * root == square else None
+
+
+def edge_between(vertices: Sequence[Vertex[Fraction]], ends: tuple[int, int], shift: Fraction, index: int) -> Edge[Fraction]:
+    """An edge between two vertices, the right one moved by `shift` (once round the cylinder, or 0).
+
+    It is ground if its steepness is at most 60 degrees, else a fall edge (6.1.3; R30, A42).
+
+    Raises:
+        IrrationalLength: if the distance is irrational.
+    """
+    left, right = vertices[ends[0]], vertices[ends[1]]
+    across, up = right.x + shift - left.x, right.y - left.y
+    length = rational_root(across * across + up * up)
+    if length is None:
+        raise IrrationalLength(index)
+    steep = up * up > 3 * across * across
+    return Edge(ends[0], ends[1], EdgeType.FALL if steep else EdgeType.GROUND, length)
+
+
+def polyline(vertices: Sequence[Vertex[Fraction]], circumference: Fraction | None = None) -> Graph[Fraction]:
+    """Connect a list of vertices from left to right, and round the cylinder if there is one (6.1.3; R30).
+
+    Raises:
+        IrrationalLength: if two consecutive vertices have an irrational distance.
+    """
+    ends = [(i, i + 1) for i in range(len(vertices) - 1)]
+    edges = [edge_between(vertices, pair, Fraction(0), i) for i, pair in enumerate(ends)]
+    if circumference is not None:
+        edges.append(edge_between(vertices, (len(vertices) - 1, 0), circumference, len(edges)))
+    return Graph(tuple(vertices), tuple(edges), circumference)

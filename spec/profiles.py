@@ -1,0 +1,34 @@
+"""Profiles: one choice per reading and one family per kind of decision. The only place of assembly."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+from spec.readings import PUSH_LIMIT, TICK_ORDER
+from spec.rules.clearance import CLEARANCE
+from spec.rules.push import CONTACT, PUSH
+from spec.rules.request import Rules, segment
+from spec.rules.walk import FOLLOW, WALK
+
+
+@dataclass(frozen=True)
+class Profile:
+    """The rules of movement under one set of readings."""
+
+    name: str
+    rules: Rules
+    push_limit: Callable[[int], int]
+    tick_order: Callable[[Sequence[str]], Sequence[str]]
+
+
+THESIS = Profile(
+    name="thesis",
+    rules=Rules(
+        clearance=CLEARANCE, push=PUSH, contact=CONTACT, walk=WALK, follow=FOLLOW, segment=segment
+    ),
+    push_limit=PUSH_LIMIT.choice,
+    tick_order=TICK_ORDER.choice,
+)
+
+PROFILES: dict[str, Profile] = {profile.name: profile for profile in (THESIS,)}

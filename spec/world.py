@@ -1,0 +1,80 @@
+"""What the rules may ask of a world: a level and its bodies, seen in one direction of motion.
+
+A rule never sees an index, a length of a list or a direction: left and right are one text.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Protocol, TypeVar
+
+from spec.number import N, Number
+
+B = TypeVar("B")
+P = TypeVar("P")
+N_co = TypeVar("N_co", bound=Number, covariant=True)
+
+
+class View(Protocol[N, B, P]):
+    """A world seen in the direction of a motion. `B` names a body, `P` is a position of a border.
+
+    Laws that every world keeps (checked of the reference world, assumed in proofs):
+    `reach(end(p)) = 0`; `reach(along(p, x)) = reach(p) - x` for `0 <= x <= reach(p)`;
+    `onward(p)` is the same place as `end(p)`, named on the next edge; moving by `x` lessens every `gap` by
+    `x`; `ahead` is the nearest other body ahead, and is seen exactly if its facing border lies on this edge
+    or the next.
+    """
+
+    @property
+    def margin(self) -> N:
+        """The collision margin, greater than 0 (6.2.1, R24)."""
+
+    def front(self, body: B, /) -> P:
+        """The border that leads the motion (4.3.1, R8)."""
+
+    def rear(self, body: B, /) -> P:
+        """The border that follows (4.3.1, R8)."""
+
+    def reach(self, at: P, /) -> N:
+        """Distance to the end of the edge, at least 0."""
+
+    def along(self, at: P, distance: N, /) -> P:
+        """The position `distance` ahead on the same edge; `distance <= reach(at)`."""
+
+    def end(self, at: P, /) -> P:
+        """The end of the edge."""
+
+    def onward(self, at: P, /) -> P | None:
+        """The beginning of the next ground edge, or None where there is none (6.1.3, R14)."""
+
+    def ahead(self, body: B, front: P, /) -> B | None:
+        """The nearest other body ahead of `front` on this edge or the next, or None (6.2.1, A12)."""
+
+    def gap(self, front: P, other: B, /) -> N:
+        """Distance along the graph from `front` to the facing border of `other` (4.3.2, A31)."""
+
+    def place(self, body: B, front: P, rear: P, /) -> None:
+        """Put the borders of `body` where the motion has taken them."""
+
+
+class State(Protocol[N_co, B]):
+    """A world at rest, as the invariants see it: neighbours from left to right, and nothing of rules."""
+
+    @property
+    def margin(self) -> N_co:
+        """The collision margin."""
+
+    def bodies(self) -> Iterable[B]:
+        """All bodies, from left to right; on a ring, once round."""
+
+    def neighbours(self) -> Iterable[tuple[B, B]]:
+        """Each body with its right neighbour; on a ring the last with the first, if they are two."""
+
+    def clear(self, left: B, right: B, /) -> N_co:
+        """Signed distance from the right border of `left` to the left border of its right neighbour."""
+
+    def width(self, body: B, /) -> N_co:
+        """Distance along the graph between the borders (4.3.2, A11, A31)."""
+
+    def off_graph(self, body: B, /) -> Iterable[N_co]:
+        """For each border, its location and its distance to the end of its edge: all at least 0 (R7)."""
