@@ -61,8 +61,8 @@ pins: ## resolve requirements.txt anew, to the newest versions that pyproject.to
 	@$(PYTHON) -m venv build/pins
 	@build/pins/bin/python -m pip --quiet --disable-pip-version-check install --upgrade uv
 	@build/pins/bin/uv pip compile --quiet --upgrade --universal --python-version 3.11 \
-		--fork-strategy fewest --generate-hashes --custom-compile-command 'make pins' \
-		--no-emit-index-url --no-emit-find-links --extra dev --output-file requirements.txt pyproject.toml
+		--fork-strategy fewest --generate-hashes --extra dev \
+		--custom-compile-command 'make pins' --output-file requirements.txt pyproject.toml
 
 .PHONY: clean
 clean: ## remove everything that can be made again

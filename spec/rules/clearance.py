@@ -15,32 +15,34 @@ from spec.rule import AnyFamily, Family, Rule
 
 @dataclass(frozen=True)
 class Sight(Generic[N]):
-    """What a border sees ahead. `gap` is None where no body is seen; `stride` is how far it is to go."""
+    """What a border sees ahead: whether a body is `seen`, and how far it is (`gap`, 0 where none is seen).
+
+    `stride` is how far the border is to go on this edge.
+    """
 
     stride: N
-    gap: N | None
+    seen: bool
+    gap: N
     margin: N
 
 
 def nobody_in_sight(sight: Sight[N]) -> Truth:
     """No other body is on this edge or the next."""
-    return sight.gap is None
+    return not sight.seen
 
 
 def somebody_in_sight(sight: Sight[N]) -> Truth:
     """Another body is on this edge or the next."""
-    return sight.gap is not None
+    return sight.seen
 
 
 def outside_margin(sight: Sight[N]) -> Truth:
     """The other body is at least the margin away."""
-    assert sight.gap is not None
     return sight.gap >= sight.margin
 
 
 def within_margin(sight: Sight[N]) -> Truth:
     """The other body is nearer than the margin."""
-    assert sight.gap is not None
     return sight.gap < sight.margin
 
 
@@ -51,7 +53,6 @@ def whole_stride(sight: Sight[N]) -> N:
 
 def up_to_margin(sight: Sight[N]) -> N:
     """The gap, less the margin."""
-    assert sight.gap is not None
     return sight.gap - sight.margin
 
 

@@ -45,8 +45,8 @@ class Rules:
 def look(view: View[N, B, P], motion: Motion[N, P], other: B | None) -> Sight[N]:
     """Measure the distance to what is ahead, for a stride that ends on this edge."""
     stride = lesser(motion.rest, view.reach(motion.at))
-    gap = None if other is None else view.gap(motion.at, other)
-    return Sight(stride, gap, view.margin)
+    gap = zero_like(stride) if other is None else view.gap(motion.at, other)
+    return Sight(stride, other is not None, gap, view.margin)
 
 
 def segment(

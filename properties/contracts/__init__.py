@@ -1,0 +1,1 @@
+"""Contracts: what a request requires and ensures, proved of the rules' own code."""

@@ -1,0 +1,274 @@
+"""The contract of a request, proved of the code of the rules by taking one edge and one neighbour at a time.
+
+The argument. Let *capacity* be how far a body can move at most: to the wall, and to its neighbour after that
+has moved by its own capacity (not at all, at the push limit). The contract: a request to move by `d` moves the
+body by `min(d, capacity)`, and its neighbour by what that exceeds the room between them. It follows by
+induction on the length of the chain that may still be asked (`spare`, which falls by one with each `Ask`): in
+each obligation an `Ask` is answered by the contract itself. Within one request it follows by induction on the
+edges: one segment keeps the loop's invariant, and leaves behind an edge of positive length each time it goes
+on. The pair of a body and the one behind it only moves apart; no other pair is touched.
+
+Each function below is one obligation. It reads the rules from its first argument, so that it can be tried on
+wrong ones, and its values from the second, so that it can be proved, replayed and sampled.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Generator
+from dataclasses import dataclass, replace
+from typing import Any
+
+from properties.given import Given, Infeasible
+from properties.worlds.window import ME, NEIGHBOUR, Capacity, Spot, Window, capacity, spot, window
+from spec.number import greater, lesser
+from spec.rule import AnyRule, Chooser, Family, GuardError, Rule
+from spec.rules.request import Ask, Rules, request, segment
+from spec.rules.walk import Motion, Tow, walk
+from spec.rules.push import Way
+
+Grant = Callable[[Ask[Any, str]], Any]
+ONE_RULE = "exactly one rule of each family applies"
+
+
+@dataclass(frozen=True)
+class Seen:
+    """A family that reports to a `Given` which rules it chose, and breaks a promise where it cannot choose."""
+
+    family: Chooser
+    given: Given
+
+    def choose(self, facts: Any) -> AnyRule:
+        """Return the rule that applies."""
+        try:
+            rule = self.family.choose(facts)
+        except GuardError:
+            self.given.ensure(ONE_RULE, False)
+            raise Infeasible from None
+        self.given.saw(rule.id)
+        return rule
+
+
+def seen_by(given: Given, rules: Rules) -> Rules:
+    """The same rules, seen."""
+    return replace(
+        rules,
+        clearance=Seen(rules.clearance, given),
+        push=Seen(rules.push, given),
+        contact=Seen(rules.contact, given),
+        walk=Seen(rules.walk, given),
+        follow=Seen(rules.follow, given),
+    )
+
+
+def drive(running: Generator[Ask[Any, str], Any, Any], seen: Window, grant: Grant) -> Any:
+    """Run a program of the rules, answering each `Ask` by a contract."""
+    answer = None
+    while True:
+        try:
+            ask = running.send(answer)
+        except StopIteration as end:
+            return end.value
+        seen.asks.append(ask)
+        answer = grant(ask)
+        seen.granted = seen.granted + answer
+
+
+def any_motion(given: Given, at: Spot) -> Motion[Any, Spot]:
+    """A motion anywhere in its course."""
+    return Motion(at, rest=given.number("distance left"), moved=given.number("distance moved before"))
+
+
+def no_more_than_asked(given: Given) -> Grant:
+    """The weaker half of the contract: the neighbour moves by something from 0 to what it is asked."""
+
+    def grant(ask: Ask[Any, str]) -> Any:
+        granted = given.number("distance granted")
+        given.assume(granted <= ask.distance)
+        return granted
+
+    return grant
+
+
+def run_segment(rules: Rules, given: Given, seen: Window, grant: Grant) -> tuple[Any, Motion[Any, Spot], Motion[Any, Spot]]:
+    """One segment of any motion in a window: the spare asks it had, and the motion before and after."""
+    spare, before = given.natural("bodies that may still be asked"), any_motion(given, seen.start)
+    after = drive(rules.segment(seen_by(given, rules), seen, ME, before, spare), seen, grant)
+    return spare, before, after
+
+
+def segment_accounts(rules: Rules, given: Given) -> None:
+    """On any edge, with any neighbour in order: what a segment says it moved is what the border moved."""
+    seen = window(given, margin_kept=False, edges_long=False)
+    _, before, after = run_segment(rules, given, seen, no_more_than_asked(given))
+    step = after.moved - before.moved
+    given.ensure("the distance moved is where the border is", after.at.travelled == step)
+    given.ensure("moved in the direction asked", step >= 0)
+    given.ensure("moved at most what was asked", step <= before.rest)
+    given.ensure("what is left and what was moved make what was asked", after.rest + step == before.rest)
+    given.ensure("the border is on its edge", (after.at.reach >= 0) & (after.at.reach <= after.at.length))
+
+
+def segment_keeps_order(rules: Rules, given: Given) -> None:
+    """On any edge, with any neighbour in order: the border does not pass it."""
+    seen = window(given, margin_kept=False, edges_long=False)
+    _, _, after = run_segment(rules, given, seen, no_more_than_asked(given))
+    if seen.neighbour:
+        given.ensure("the neighbour is still ahead", seen.gap(after.at, NEIGHBOUR) >= 0)
+
+
+def segment_keeps_margin(rules: Rules, given: Given) -> None:
+    """With edges at least as long as the margin: the border comes no nearer to its neighbour than the margin."""
+    seen = window(given, margin_kept=True, edges_long=True)
+    _, _, after = run_segment(rules, given, seen, no_more_than_asked(given))
+    if seen.neighbour:
+        given.ensure("the margin is kept", seen.gap(after.at, NEIGHBOUR) >= seen.margin)
+
+
+def segment_terminates(rules: Rules, given: Given) -> None:
+    """A segment asks once at most, uses up one of the spare asks, and goes on only to another edge.
+
+    The measure of a request: the distance from the beginning of the border's edge to its target. It falls by the
+    length of an edge whenever a segment goes on, so a request of a body takes at most as many segments as there
+    are edges up to its target.
+    """
+    seen = window(given, margin_kept=False, edges_long=False)
+    spare, before, after = run_segment(rules, given, seen, no_more_than_asked(given))
+    given.ensure("asks once at most", len(seen.asks) <= 1)
+    for ask in seen.asks:
+        given.ensure("there was an ask to spare", spare > 0)
+        given.ensure("the chain that may be asked is one shorter", ask.spare == spare - 1)
+    if after.going:
+        given.ensure("goes on to the next edge", after.at.edge == seen.start.edge + 1)
+        covered = seen.start.length - seen.start.reach
+        given.ensure("the measure falls by the edge", after.rest + seen.start.length == before.rest + covered)
+
+
+def segment_exact(rules: Rules, given: Given) -> None:
+    """With margins kept and edges as long: a segment follows the contract of a request exactly."""
+    seen = window(given, margin_kept=True, edges_long=True)
+    able = capacity(given, seen)
+    spare, before, after = run_segment(rules, given, seen, lambda ask: lesser(ask.distance, able.neighbour))
+    limit, step = able.of_me(replace(seen, granted=seen.granted * 0), spare), after.moved - before.moved
+    most = before.rest if limit is None else lesser(before.rest, limit)
+    given.ensure("moves as far as possible, or is on its way there", (step <= most) & (after.going | (step == most)))
+    given.ensure("has gone all of the edge, if it goes on", (not after.going) | (step == seen.start.reach))
+    bystanders_keep(given, seen, step)
+
+
+def bystanders_keep(given: Given, seen: Window, step: Any) -> None:
+    """Promise that the neighbour moves by what the step exceeds the room, and that nobody else is asked."""
+    excess = step - (seen.gap_before - seen.margin)
+    pushed = greater(excess, excess * 0) if seen.neighbour else excess * 0
+    given.ensure("the neighbour moves only as far as it is pushed", seen.granted == pushed)
+    given.ensure("only the neighbour is asked", all(ask.body == NEIGHBOUR for ask in seen.asks))
+
+
+def request_is_its_segments(rules: Rules, given: Given) -> None:
+    """A request places its body, once: the front where its segments took it, the rear as far; and says how far."""
+    seen = window(given, margin_kept=False, edges_long=False)
+    distance = given.number("distance asked")
+    went = given.number("distance the segments go")
+    rear_goes = spot(given, "rear after the move")
+    starts: list[Motion[Any, Spot]] = []
+    tows: list[Tow[Any, Spot]] = []
+
+    def segments(rules: Rules, view: Window, body: str, motion: Motion[Any, Spot], spare: int) -> Any:
+        starts.append(motion)
+        return replace(motion, at=view.along(motion.at, went), moved=motion.moved + went, going=False)
+        yield
+
+    def towed(tow: Tow[Any, Spot]) -> Spot:
+        tows.append(tow)
+        return rear_goes
+
+    stand_ins = replace(rules, segment=segments, follow=Family("follow", (stand_in(towed),)))
+    moved = drive(request(stand_ins, seen, ME, distance, 0), seen, no_more_than_asked(given))
+    given.ensure("says how far it moved", moved == went)
+    given.ensure("begins at the front border, with all it was asked", one_start(starts, seen, distance))
+    given.ensure("the rear is towed by the distance moved", len(tows) == 1 and tows[0].moved == went)
+    placed = [(body, front.travelled == went, rear is rear_goes) for body, front, rear in seen.placed]
+    given.ensure("places its own body, once", len(placed) == 1 and placed[0][0] == ME and placed[0][2])
+    given.ensure("places the front where it went", placed[0][1])
+
+
+def one_start(starts: list[Motion[Any, Spot]], seen: Window, distance: Any) -> Any:
+    """Whether there was one motion, from the front border, with the whole distance left and none moved."""
+    return (len(starts) == 1 and starts[0].at is seen.start) and (
+        (starts[0].rest == distance) & (starts[0].moved == 0)
+    )
+
+
+def stand_in(effect: Callable[[Any], Any]) -> AnyRule:
+    """A rule that always applies, to stand in for a family by its contract."""
+    return Rule(id="contract", sentence="", source="", guard=(), effect=effect)
+
+
+def rear_walks_on(rules: Rules, given: Given) -> None:
+    """One walk of a rear border, whose string goes on as far as it is towed: it leaves nothing out."""
+    seen = window(given, margin_kept=False, edges_long=False)
+    before = any_motion(given, seen.start)
+    if seen.next_length is None:
+        given.assume(before.rest <= seen.start.reach)
+    after = walk(seen_by(given, rules).walk, seen, before, Way(before.rest, blocked=False))
+    step = after.moved - before.moved
+    given.ensure("the distance moved is where the border is", after.at.travelled == step)
+    given.ensure("what is left and what was moved make what was asked", after.rest + step == before.rest)
+    given.ensure("it stops only when nothing is left", after.going | (after.rest == 0))
+    given.ensure("it goes on only from the end of its edge", (not after.going) | (step == seen.start.reach))
+    given.ensure("the border is on its edge", (after.at.reach >= 0) & (after.at.reach <= after.at.length))
+
+
+def rear_follows_by_the_same(rules: Rules, given: Given) -> None:
+    """The rear border ends where its walks took it, and starts them with the distance its front moved."""
+    seen = window(given, margin_kept=False, edges_long=False)
+    moved = given.number("distance the front moved")
+    starts: list[Motion[Any, Spot]] = []
+
+    def walks(step: Any) -> Motion[Any, Spot]:
+        starts.append(step.motion)
+        given.ensure("the rear does not look", not step.way.blocked)
+        return replace(step.motion, at=seen.along(step.motion.at, step.motion.rest), going=False)
+
+    tow = Tow(seen, Family("walk", (stand_in(walks),)), seen.start, moved)
+    ends = seen_by(given, rules).follow.choose(tow).effect(tow)
+    given.ensure("the rear ends the distance moved further on", ends.travelled == moved)
+    given.ensure("begins at the rear border, with the distance moved", one_start(starts, seen, moved))
+
+
+def segment_is_a_function(rules: Rules, given: Given) -> None:
+    """The same segment, twice, gives the same."""
+    first, again = (window(given, margin_kept=False, edges_long=False) for _ in range(2))
+    _, _, one = run_segment(rules, given, first, no_more_than_asked(given))
+    _, _, two = run_segment(rules, given, again, no_more_than_asked(given))
+    given.ensure("the same distance", (one.moved == two.moved) & (one.rest == two.rest))
+    given.ensure("the same border", (one.at.travelled == two.at.travelled) & (one.at.reach == two.at.reach))
+    given.ensure("the same requests", len(first.asks) == len(again.asks))
+
+
+def by_contract(given: Given, distance: Any, room: Any, able: Capacity, limited: bool) -> tuple[Any, Any]:
+    """What the contract says a request moves its body and its neighbour by."""
+    most = room if limited else room + able.neighbour
+    if able.wall is not None:
+        most = lesser(most, able.wall)
+    moved = lesser(distance, most)
+    return moved, greater(moved - room, moved * 0)
+
+
+def two_requests_are_one(rules: Rules, given: Given) -> None:
+    """By the contract: a request for a + b moves body and neighbour as a request for a, then one for b.
+
+    `regained` is what the first request gives the end of a chain that has come round to its mover; it is 0 but on
+    a ring, and there the claim's premise is that both distances together fit into the free space.
+    """
+    a, b, room = given.number("first distance"), given.number("second distance"), given.number("room")
+    wall = given.number("distance to the wall") if given.flag("there is a wall") else None
+    able, limited = Capacity(given.number("capacity of the neighbour"), wall), given.flag("at the push limit")
+    regained = given.number("regained on a ring") if given.flag("on a ring") else a * 0
+    both, pushed = by_contract(given, a + b, room, able, limited)
+    given.assume((regained == 0) | (both == a + b))
+    first, pushed_first = by_contract(given, a, room, able, limited)
+    left = room - first + pushed_first
+    able = Capacity(able.neighbour - pushed_first + regained, None if wall is None else wall - first)
+    second, pushed_second = by_contract(given, b, left, able, limited)
+    given.ensure("the body moves as far", first + second == both)
+    given.ensure("the neighbour moves as far", pushed_first + pushed_second == pushed)

@@ -1,0 +1,227 @@
+"""The explorer: it re-runs a program once per feasible path and judges its promises on each.
+
+Its honesty is checked as it goes: a replay must meet the same forks; a solver that answers `unknown` prunes
+nothing and proves nothing; the paths, with what premises cut off, must cover all values; at least one path
+must be feasible; every counterexample is run again on exact numbers before it is believed. Budgets are
+counted work, never seconds.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from fractions import Fraction
+
+import z3
+
+from properties.engine.reals import DECIDE, Symbolic, SymbolicTruth, formula_of
+from properties.engine.simplest import Drawn, simplest_values
+from properties.given import Exact, Given, Infeasible
+from spec.number import Truth
+
+CHECK_BUDGET = 4_000_000
+MOST_PATHS = 4_000
+
+Program = Callable[[Given], None]
+
+
+class EngineError(Exception):
+    """The engine cannot vouch for its own run."""
+
+
+class Refuted(Exception):
+    """A promise is broken: the exploration is over."""
+
+
+@dataclass(frozen=True)
+class Counterexample:
+    """Promises that are broken, and the exact values that break them."""
+
+    broken: tuple[str, ...]
+    values: dict[str, Fraction | bool]
+
+
+@dataclass
+class Outcome:
+    """What an exploration showed: paths, promises judged, solver calls, rules that fired, and what is open."""
+
+    paths: int = 0
+    promises: int = 0
+    checks: int = 0
+    rules: set[str] = field(default_factory=set)
+    open: list[str] = field(default_factory=list)
+    counterexample: Counterexample | None = None
+
+    @property
+    def proved(self) -> bool:
+        """Whether every promise holds on every path, and there was something to judge."""
+        return self.counterexample is None and not self.open and self.paths > 0 and self.promises > 0
+
+
+@dataclass
+class Fork:
+    """A decision of a run, and whether its other branch is still to be taken."""
+
+    formula: z3.BoolRef
+    branch: bool
+    other_open: bool
+
+
+def solver_for_reals() -> z3.Solver:
+    """A solver for linear arithmetic with a budget of counted work."""
+    solver = z3.SolverFor("QF_LIRA")
+    solver.set("rlimit", CHECK_BUDGET)
+    return solver
+
+
+class Exploration:
+    """One depth-first exploration of a program."""
+
+    def __init__(self, program: Program) -> None:
+        """Prepare to explore; `run` does it."""
+        self.program = program
+        self.solver = solver_for_reals()
+        self.forks: list[Fork] = []
+        self.drawn = Drawn()
+        self.covered: list[z3.BoolRef] = []
+        self.outcome = Outcome()
+
+    def run(self) -> Outcome:
+        """Explore every path, or up to the first counterexample."""
+        try:
+            self.run_path()
+            while self.turn():
+                self.run_path()
+        except Refuted:
+            return self.outcome
+        if not self.outcome.open:
+            self.check_coverage()
+        return self.outcome
+
+    def turn(self) -> bool:
+        """Turn to the next branch not yet taken; False if there is none or the budget of paths is spent."""
+        while self.forks and not self.forks[-1].other_open:
+            self.forks.pop()
+        if self.forks and self.outcome.paths >= MOST_PATHS:
+            self.outcome.open.append(f"more than {MOST_PATHS} paths")
+            return False
+        if self.forks:
+            last = self.forks.pop()
+            self.forks.append(Fork(last.formula, not last.branch, other_open=False))
+        return bool(self.forks)
+
+    def run_path(self) -> None:
+        """Run the program once, along the branches chosen so far."""
+        path = Path(self)
+        token = DECIDE.set(path.decide)
+        self.solver.push()
+        try:
+            self.program(path)
+            self.outcome.paths += 1
+        except Infeasible:
+            pass
+        finally:
+            self.solver.pop()
+            DECIDE.reset(token)
+        if path.met < len(self.forks):
+            raise EngineError("a replay met fewer forks than the run it repeats")
+        self.covered.append(z3.And([z3.BoolVal(True), *path.literals]))
+
+    def possible(self, *formulas: z3.BoolRef) -> bool | None:
+        """Whether formulas can hold on the path so far; None if the solver does not know."""
+        self.outcome.checks += 1
+        answer = self.solver.check(*formulas)
+        return None if answer == z3.unknown else bool(answer == z3.sat)
+
+    def refute(self, promise: str, denial: z3.BoolRef) -> None:
+        """Find the simplest values that break a promise, and believe them when they do so on exact numbers."""
+        values = simplest_values(self.solver, self.drawn, denial)
+        exact = Exact(values)
+        try:
+            self.program(exact)
+        except Infeasible:
+            if not exact.broken:
+                raise EngineError(f"{promise}: the counterexample breaks a premise: {values}") from None
+        if promise not in exact.broken:
+            raise EngineError(f"{promise}: the counterexample does not replay on exact numbers: {values}")
+        self.outcome.counterexample = Counterexample(tuple(exact.broken), values)
+        raise Refuted
+
+    def check_coverage(self) -> None:
+        """Make sure that the paths, with what premises cut off, leave no values out."""
+        solver = solver_for_reals()
+        if solver.check(z3.Not(z3.Or(self.covered)), *self.drawn.signs()) != z3.unsat:
+            raise EngineError("the paths explored do not cover all values")
+
+
+class Path:
+    """One run of the program: a `Given` whose values are symbolic."""
+
+    def __init__(self, exploration: Exploration) -> None:
+        """Start at the root."""
+        self.exploration = exploration
+        self.met = 0
+        self.literals: list[z3.BoolRef] = []
+
+    def number(self, name: str) -> Symbolic:
+        """A symbolic real, at least 0."""
+        term = self.exploration.drawn.number(name)
+        self.exploration.solver.add(term >= 0)
+        return Symbolic(term)
+
+    def natural(self, name: str) -> Symbolic:
+        """A symbolic whole number, at least 0."""
+        term = self.exploration.drawn.natural(name)
+        self.exploration.solver.add(term >= 0)
+        return Symbolic(term)
+
+    def flag(self, name: str) -> bool:
+        """Either truth value, each on paths of its own."""
+        return bool(SymbolicTruth(self.exploration.drawn.flag(name)))
+
+    def take(self, literal: z3.BoolRef) -> None:
+        """Go on where a literal holds."""
+        self.literals.append(literal)
+        self.exploration.solver.add(literal)
+
+    def decide(self, formula: z3.BoolRef) -> bool:
+        """The branch of this run at a fork; a formula that only one way can come out is no fork."""
+        forks = self.exploration.forks
+        if self.met == len(forks):
+            may_hold = self.exploration.possible(formula)
+            may_fail = may_hold is False or self.exploration.possible(z3.Not(formula))
+            forks.append(Fork(formula, may_hold is not False, other_open=may_hold is not False and may_fail is not False))
+        fork = forks[self.met]
+        if not fork.formula.eq(formula):
+            raise EngineError("a replay met another fork than the run it repeats")
+        self.met += 1
+        self.take(formula if fork.branch else z3.Not(formula))
+        return fork.branch
+
+    def assume(self, premise: Truth) -> None:
+        """Cut off what does not satisfy the premise."""
+        formula = formula_of(premise)
+        cut = z3.And([*self.literals, z3.Not(formula)])
+        self.exploration.covered.append(cut)
+        self.take(formula)
+        if self.exploration.possible() is False:
+            raise Infeasible
+
+    def ensure(self, name: str, promise: Truth) -> None:
+        """Judge a promise on this path."""
+        denial = z3.Not(formula_of(promise))
+        self.exploration.outcome.promises += 1
+        broken = self.exploration.possible(denial)
+        if broken is None:
+            self.exploration.outcome.open.append(f"{name}: the solver does not know")
+        if broken:
+            self.exploration.refute(name, denial)
+
+    def saw(self, rule: str) -> None:
+        """Note that a rule fired on a feasible path."""
+        self.exploration.outcome.rules.add(rule)
+
+
+def explore(program: Program) -> Outcome:
+    """Judge the promises of a program for all values it may be given."""
+    return Exploration(program).run()

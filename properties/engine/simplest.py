@@ -1,0 +1,76 @@
+"""Readable counterexamples: the smallest grid on which one exists, then small numbers."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from fractions import Fraction
+
+import z3
+
+GRIDS = (1, 2, 4, 10, 100)
+HALVINGS = 12
+
+
+@dataclass
+class Drawn:
+    """The values a program has drawn, by name."""
+
+    numbers: dict[str, z3.ArithRef] = field(default_factory=dict)
+    naturals: dict[str, z3.ArithRef] = field(default_factory=dict)
+    flags: dict[str, z3.BoolRef] = field(default_factory=dict)
+
+    def number(self, name: str) -> z3.ArithRef:
+        """The real of that name."""
+        return self.numbers.setdefault(name, z3.Real(name))
+
+    def natural(self, name: str) -> z3.ArithRef:
+        """The whole number of that name."""
+        return self.naturals.setdefault(name, z3.Int(name))
+
+    def flag(self, name: str) -> z3.BoolRef:
+        """The truth value of that name."""
+        return self.flags.setdefault(name, z3.Bool(name))
+
+    def signs(self) -> list[z3.BoolRef]:
+        """What holds of every number drawn: it is at least 0."""
+        return [term >= 0 for term in (*self.numbers.values(), *self.naturals.values())]
+
+    def values(self, model: z3.ModelRef) -> dict[str, Fraction | bool]:
+        """The exact values of a model, those it leaves open included."""
+        exact = {name: model.eval(term, model_completion=True).as_fraction() for name, term in self.numbers.items()}
+        whole = {name: model.eval(term, model_completion=True).as_long() for name, term in self.naturals.items()}
+        truth = {name: z3.is_true(model.eval(term, model_completion=True)) for name, term in self.flags.items()}
+        return {name: Fraction(number) for name, number in {**exact, **whole}.items()} | truth
+
+
+def simplest_values(solver: z3.Solver, drawn: Drawn, denial: z3.BoolRef) -> dict[str, Fraction | bool]:
+    """Values that satisfy the solver's path and a denial: on the coarsest grid that has any, then small."""
+    solver.push()
+    solver.add(denial)
+    solver.check()
+    best = solver.model()
+    for grid in GRIDS:
+        solver.push()
+        for name, term in drawn.numbers.items():
+            solver.add(term * grid == z3.ToReal(z3.Int(f"{name} on a grid of 1/{grid}")))
+        if solver.check() == z3.sat:
+            best = smallest(solver, list(drawn.numbers.values()), solver.model())
+            solver.pop()
+            break
+        solver.pop()
+    solver.pop()
+    return drawn.values(best)
+
+
+def smallest(solver: z3.Solver, terms: list[z3.ArithRef], model: z3.ModelRef) -> z3.ModelRef:
+    """A model in which the sum of the terms is about as small as it can be, by halving."""
+    total = z3.Sum([z3.RealVal(0), *terms])
+    low, high = Fraction(0), Fraction(model.eval(total, model_completion=True).as_fraction())
+    for _ in range(HALVINGS):
+        middle = (low + high) / 2
+        if solver.check(total <= z3.Q(middle.numerator, middle.denominator)) == z3.sat:
+            model = solver.model()
+            high = Fraction(model.eval(total, model_completion=True).as_fraction())
+        else:
+            low = middle
+    return model

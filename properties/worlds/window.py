@@ -1,0 +1,136 @@
+"""A window on a string of edges: one border in motion, its edge, the next edge, and the body ahead.
+
+Everything else is summed up in a few numbers: how far away the wall is, if there is one, and how far the
+neighbour could be moved (its capacity). So what is proved of a window is proved of any row.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any
+
+from properties.given import Given
+from spec.number import lesser
+from spec.rules.request import Ask
+
+ME, NEIGHBOUR = "me", "neighbour"
+
+
+@dataclass(frozen=True)
+class Spot:
+    """A border's position: how far it has come, its edge (0 or 1 from the start), and how far that reaches."""
+
+    travelled: Any
+    edge: int
+    length: Any
+    reach: Any
+
+
+@dataclass
+class Window:
+    """The view of one motion (`spec.world.View`), with what the neighbour has granted so far."""
+
+    margin: Any
+    start: Spot
+    next_length: Any | None
+    neighbour: bool
+    gap_before: Any
+    granted: Any
+    asks: list[Ask[Any, str]] = field(default_factory=list)
+    placed: list[tuple[str, Spot, Spot]] = field(default_factory=list)
+
+    def front(self, body: str) -> Spot:
+        """Where the motion begins."""
+        return self.start
+
+    def rear(self, body: str) -> Spot:
+        """The rear border's walk begins at a spot of its own, for which this window stands too."""
+        return self.start
+
+    def reach(self, at: Spot) -> Any:
+        """Distance to the end of the edge."""
+        return at.reach
+
+    def along(self, at: Spot, distance: Any) -> Spot:
+        """Further on, on the same edge."""
+        return Spot(at.travelled + distance, at.edge, at.length, at.reach - distance)
+
+    def end(self, at: Spot) -> Spot:
+        """The end of the edge."""
+        return self.along(at, at.reach)
+
+    def onward(self, at: Spot) -> Spot | None:
+        """The beginning of the next edge, which is all of the string ahead that this window shows."""
+        if self.next_length is None:
+            return None
+        return Spot(at.travelled + at.reach, at.edge + 1, self.next_length, self.next_length)
+
+    def ahead(self, body: str, front: Spot) -> str | None:
+        """The neighbour, if it is on this edge or the next."""
+        if not self.neighbour:
+            return None
+        in_sight = self.next_length is None or self.gap(front, NEIGHBOUR) <= front.reach + self.next_length
+        return NEIGHBOUR if in_sight else None
+
+    def gap(self, front: Spot, other: str) -> Any:
+        """Distance to the neighbour, which has moved by what it granted."""
+        return self.gap_before + self.granted - front.travelled
+
+    def place(self, body: str, front: Spot, rear: Spot) -> None:
+        """Note where the borders were put."""
+        self.placed.append((body, front, rear))
+
+
+def spot(given: Given, name: str) -> Spot:
+    """Any place on any edge."""
+    reach, behind = given.number(f"{name}: distance to the end of the edge"), given.number(f"{name}: distance behind it")
+    return Spot(reach * 0, 0, reach + behind, reach)
+
+
+def window(given: Given, margin_kept: bool, edges_long: bool) -> Window:
+    """Any window. `margin_kept`: the gap is at least the margin; `edges_long`: so is the next edge."""
+    margin, start = given.number("margin"), spot(given, "front")
+    given.assume(margin > 0)
+    given.assume(start.length > 0)
+    next_length = None
+    if given.flag("an edge follows"):
+        next_length = given.number("length of the next edge")
+        given.assume(next_length >= margin if edges_long else next_length > 0)
+    neighbour = given.flag("a body is ahead")
+    gap = given.number("gap") if neighbour else margin * 0
+    if neighbour and margin_kept:
+        given.assume(gap >= margin)
+    if neighbour and next_length is None:
+        given.assume(gap <= start.reach)
+    return Window(margin, start, next_length, neighbour, gap, granted=margin * 0)
+
+
+@dataclass(frozen=True)
+class Capacity:
+    """How far anything could move at most: the neighbour, and up to the wall (None: there is no wall)."""
+
+    neighbour: Any
+    wall: Any | None
+
+    def of_me(self, seen: Window, spare: Any) -> Any | None:
+        """How far the body of a window can move: to the wall, and to the neighbour when that has moved its most."""
+        if not seen.neighbour:
+            return self.wall
+        to_contact = seen.gap(seen.start, NEIGHBOUR) - seen.margin
+        if spare > 0:
+            to_contact = to_contact + self.neighbour
+        return to_contact if self.wall is None else lesser(to_contact, self.wall)
+
+
+def capacity(given: Given, seen: Window) -> Capacity:
+    """Any capacities that a window can have: no wall stands on its edges, and the neighbour heeds the wall too."""
+    neighbour = given.number("capacity of the neighbour")
+    if seen.next_length is None:
+        wall: Any | None = seen.start.reach
+    elif given.flag("there is a wall"):
+        wall = seen.start.reach + seen.next_length + given.number("distance from the next edge to the wall")
+    else:
+        wall = None
+    if seen.neighbour and wall is not None:
+        given.assume(seen.gap_before + neighbour <= wall)
+    return Capacity(neighbour, wall)
