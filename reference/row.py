@@ -131,6 +131,32 @@ class Row(Generic[N]):
             yield at.location
             yield self.graph.edges[at.edge].length - at.location
 
+    def bodies_in_order(self) -> range:
+        """All bodies, from left to right."""
+        return range(len(self.bodies))
+
+    def edges(self) -> int:
+        """The number of ground edges."""
+        return len(self.graph.edges)
+
+    def to_wall(self, body: int, direction: Direction) -> N | None:
+        """Distance from the leading border to the end of the string; None on a ring."""
+        if self.closed:
+            return None
+        along = self.coordinate(self.bodies[body].border(direction))
+        return self.length - along if direction is Direction.RIGHT else along
+
+    def travel(self, before: Row[N], body: int, direction: Direction) -> N:
+        """How far a body has come in a direction.
+
+        On a ring no body comes further than all free space, so what is nearer to a whole round is a step back.
+        """
+        start, now = (self.coordinate(row.bodies[body].border(direction)) for row in (before, self))
+        distance = (now - start) * direction
+        if self.closed and distance < zero_like(distance):
+            distance = distance + self.length
+        return distance - self.length if self.closed and distance * 2 > self.free + self.length else distance
+
     def copy(self) -> Row[N]:
         """An independent copy; the graph is shared."""
         return Row(self.graph, self.margin, list(self.bodies), self.closed)

@@ -5,9 +5,10 @@ A rule never sees an index, a length of a list or a direction: left and right ar
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from typing import Protocol, TypeVar
+from collections.abc import Iterable, Sequence
+from typing import Any, Protocol, TypeVar
 
+from spec.graph import Direction
 from spec.number import N, Number
 
 B = TypeVar("B")
@@ -57,24 +58,39 @@ class View(Protocol[N, B, P]):
         """Put the borders of `body` where the motion has taken them."""
 
 
-class State(Protocol[N_co, B]):
-    """A world at rest, as the invariants see it: neighbours from left to right, and nothing of rules."""
+class State(Protocol[N_co]):
+    """A world at rest, as the invariants see it: bodies in order, by their places in it, and no rules."""
 
     @property
     def margin(self) -> N_co:
         """The collision margin."""
 
-    def bodies(self) -> Iterable[B]:
+    def edges(self) -> int:
+        """The number of ground edges."""
+
+    def bodies_in_order(self) -> Sequence[int]:
         """All bodies, from left to right; on a ring, once round."""
 
-    def neighbours(self) -> Iterable[tuple[B, B]]:
+    def beside(self, body: int, direction: Direction, /) -> int | None:
+        """The neighbour on one side, or None."""
+
+    def neighbours(self) -> Iterable[tuple[int, int]]:
         """Each body with its right neighbour; on a ring the last with the first, if they are two."""
 
-    def clear(self, left: B, right: B, /) -> N_co:
+    def clear(self, left: int, right: int, /) -> N_co:
         """Signed distance from the right border of `left` to the left border of its right neighbour."""
 
-    def width(self, body: B, /) -> N_co:
+    def width(self, body: int, /) -> N_co:
         """Distance along the graph between the borders (4.3.2, A11, A31)."""
 
-    def off_graph(self, body: B, /) -> Iterable[N_co]:
+    def off_graph(self, body: int, /) -> Iterable[N_co]:
         """For each border, its location and its distance to the end of its edge: all at least 0 (R7)."""
+
+    def to_wall(self, body: int, direction: Direction, /) -> N_co | None:
+        """Distance from the leading border to the end of the string; None on a ring."""
+
+    def travel(self, before: Any, body: int, direction: Direction, /) -> N_co:
+        """How far a body has come in a direction since `before`, a state of the same world.
+
+        On a ring, less than once round.
+        """

@@ -74,6 +74,11 @@ def solver_for_reals() -> z3.Solver:
     return solver
 
 
+def normal(formula: z3.BoolRef) -> z3.BoolRef:
+    """A formula with its sums in normal form, so that what was asked before is known again."""
+    return z3.simplify(formula, som=True, arith_lhs=True, sort_sums=True)
+
+
 class Exploration:
     """One depth-first exploration of a program."""
 
@@ -118,8 +123,9 @@ class Exploration:
         try:
             self.program(path)
             self.outcome.paths += 1
+            path.judge()
         except Infeasible:
-            pass
+            path.judge()
         finally:
             self.solver.pop()
             DECIDE.reset(token)
@@ -162,6 +168,9 @@ class Path:
         self.exploration = exploration
         self.met = 0
         self.literals: list[z3.BoolRef] = []
+        self.decided: dict[int, bool] = {}
+        self.model: z3.ModelRef | None = None
+        self.promised: list[tuple[str, z3.BoolRef]] = []
 
     def number(self, name: str) -> Symbolic:
         """A symbolic real, at least 0."""
@@ -183,23 +192,40 @@ class Path:
         """Go on where a literal holds."""
         self.literals.append(literal)
         self.exploration.solver.add(literal)
+        if self.model is not None and not z3.is_true(self.model.eval(literal, model_completion=True)):
+            self.model = None
+
+    def may_hold(self, formula: z3.BoolRef) -> bool:
+        """Whether a formula can hold here, for all the solver knows; the last model may show it at once."""
+        if self.model is not None and z3.is_true(self.model.eval(formula, model_completion=True)):
+            return True
+        answer = self.exploration.possible(formula)
+        if answer:
+            self.model = self.exploration.solver.model()
+        return answer is not False
 
     def decide(self, formula: z3.BoolRef) -> bool:
-        """The branch of this run at a fork; a formula that only one way can come out is no fork."""
+        """The branch of this run at a fork. What was decided before on this path is decided."""
+        formula = normal(formula)
+        if z3.is_true(formula) or z3.is_false(formula):
+            return bool(z3.is_true(formula))
+        if formula.get_id() in self.decided:
+            return self.decided[formula.get_id()]
         forks = self.exploration.forks
         if self.met == len(forks):
-            may_hold = self.exploration.possible(formula)
-            may_fail = may_hold is False or self.exploration.possible(z3.Not(formula))
-            forks.append(Fork(formula, may_hold is not False, other_open=may_hold is not False and may_fail is not False))
+            holds = self.may_hold(formula)
+            forks.append(Fork(formula, holds, other_open=holds and self.may_hold(z3.Not(formula))))
         fork = forks[self.met]
         if not fork.formula.eq(formula):
             raise EngineError("a replay met another fork than the run it repeats")
         self.met += 1
-        self.take(formula if fork.branch else z3.Not(formula))
+        self.take(fork.formula if fork.branch else z3.Not(fork.formula))
+        self.decided[fork.formula.get_id()] = fork.branch
         return fork.branch
 
     def assume(self, premise: Truth) -> None:
-        """Cut off what does not satisfy the premise."""
+        """Cut off what does not satisfy the premise; what was promised before is judged without it."""
+        self.judge()
         formula = formula_of(premise)
         cut = z3.And([*self.literals, z3.Not(formula)])
         self.exploration.covered.append(cut)
@@ -208,14 +234,21 @@ class Path:
             raise Infeasible
 
     def ensure(self, name: str, promise: Truth) -> None:
-        """Judge a promise on this path."""
-        denial = z3.Not(formula_of(promise))
+        """Take a promise to be judged on this path, or on all into which it forks from here."""
+        self.promised.append((name, normal(z3.Not(formula_of(promise)))))
         self.exploration.outcome.promises += 1
-        broken = self.exploration.possible(denial)
-        if broken is None:
-            self.exploration.outcome.open.append(f"{name}: the solver does not know")
-        if broken:
-            self.exploration.refute(name, denial)
+
+    def judge(self) -> None:
+        """Judge what was promised since the last time: all at once, and one by one if that fails."""
+        promised, self.promised = self.promised, []
+        if not promised or self.exploration.possible(z3.Or([denial for _, denial in promised])) is False:
+            return
+        for name, denial in promised:
+            broken = self.exploration.possible(denial)
+            if broken is None:
+                self.exploration.outcome.open.append(f"{name}: the solver does not know")
+            if broken:
+                self.exploration.refute(name, denial)
 
     def saw(self, rule: str) -> None:
         """Note that a rule fired on a feasible path."""

@@ -1,0 +1,1 @@
+"""How a claim is settled: proofs, whole rows, samples, witnesses, mutants."""

@@ -1,0 +1,63 @@
+"""Whole rows of a fixed number of bodies, on a string of a fixed number of edges, all sizes arbitrary.
+
+They run on the reference world itself.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from properties.given import Given
+from reference.row import Row
+from spec.body import Body, EdgePosition, Level
+from spec.graph import Edge, EdgeType, Graph
+
+
+def string_graph(lengths: list[Any], circumference: Any | None) -> Graph[Any]:
+    """Ground edges end to end, on a line or round a ring."""
+    ends = len(lengths) if circumference is not None else len(lengths) + 1
+    edges = tuple(Edge(i, (i + 1) % ends, EdgeType.GROUND, length) for i, length in enumerate(lengths))
+    return Graph((), edges, circumference)
+
+
+def located(lengths: list[Any], along: Any, closed: bool) -> EdgePosition[Any]:
+    """The edge position at a distance along the string; a vertex is named by the edge before it."""
+    for edge, length in enumerate(lengths):
+        if along <= length:
+            return EdgePosition(edge, along)
+        along = along - length
+    if closed:
+        return located(lengths, along, closed=False)
+    return EdgePosition(len(lengths) - 1, lengths[-1] + along)
+
+
+def any_level(given: Given, bodies: int, edges: int, closed: bool, edges_long: bool = True) -> Level[Any]:
+    """Any valid start of `bodies` bodies on a string of `edges` edges."""
+    margin = given.number("margin")
+    given.assume(margin > 0)
+    lengths = [given.number(f"length of edge {edge}") for edge in range(edges)]
+    for length in lengths:
+        given.assume(length >= margin if edges_long else length > 0)
+    total = sum(lengths[1:], lengths[0])
+    along, held = given.number("left of A") if bodies else margin, []
+    first = along
+    if closed:
+        given.assume(first < total)
+    for index in range(bodies):
+        width = given.number(f"width of {chr(65 + index)}")
+        given.assume(width > 0)
+        held.append((along, along + width))
+        along = along + width + margin
+        if index < bodies - 1:
+            along = along + given.number(f"room after {chr(65 + index)}")
+    given.assume(along <= first + total if closed and bodies > 1 else along - margin <= (first + total if closed else total))
+    placed = tuple(
+        Body(chr(65 + i), located(lengths, left, closed), located(lengths, right, closed), margin * 0)
+        for i, (left, right) in enumerate(held)
+    )
+    return Level(string_graph(lengths, total if closed else None), margin, margin, placed)
+
+
+def row(level: Level[Any]) -> Row[Any]:
+    """The reference world of a level whose bodies are known to be valid and in order."""
+    return Row(level.graph, level.margin, list(level.bodies), closed=level.graph.circumference is not None)

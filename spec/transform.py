@@ -1,0 +1,66 @@
+"""Changes of a level that ought to change nothing: its mirror image, a moved picture, a split edge."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+
+from spec.body import Body, EdgePosition, Level
+from spec.graph import Edge, Graph, Vertex
+from spec.number import N, zero_like
+
+
+def with_borders(body: Body[N], change: Callable[[EdgePosition[N]], EdgePosition[N]]) -> Body[N]:
+    """The body with both its borders changed."""
+    return replace(body, left=change(body.left), right=change(body.right))
+
+
+def vertex_count(graph: Graph[N]) -> int:
+    """How many vertices the edges join."""
+    return 1 + max(max(edge.left, edge.right) for edge in graph.edges)
+
+
+def mirror(level: Level[N]) -> Level[N]:
+    """The level seen from behind: left is right, and vertices and edges are counted from the other end."""
+    graph = level.graph
+    last = len(graph.edges) - 1
+    names = vertex_count(graph) - 1
+    vertices = tuple(Vertex(zero_like(v.x) - v.x, v.y) for v in reversed(graph.vertices))
+    edges = tuple(Edge(names - e.right, names - e.left, e.type, e.length) for e in reversed(graph.edges))
+
+    def seen_from_behind(at: EdgePosition[N]) -> EdgePosition[N]:
+        return EdgePosition(last - at.edge, graph.edges[at.edge].length - at.location)
+
+    def turned(body: Body[N]) -> Body[N]:
+        return replace(body, left=seen_from_behind(body.right), right=seen_from_behind(body.left))
+
+    return replace(
+        level,
+        graph=Graph(vertices, edges, graph.circumference),
+        bodies=tuple(turned(body) for body in level.bodies),
+    )
+
+
+def moved_to(vertex: Vertex[N], by: Vertex[N]) -> Vertex[N]:
+    """A vertex moved by a vector."""
+    return Vertex(vertex.x + by.x, vertex.y + by.y)
+
+
+def split(level: Level[N], edge: int, at: N, vertex: Vertex[N]) -> Level[N]:
+    """The level with one edge split in two, `at` from its left end, by a new `vertex`.
+
+    The new vertex and the new (right) edge come last in their lists.
+    """
+    old, middle = level.graph.edges[edge], vertex_count(level.graph)
+    left = replace(old, right=middle, length=at)
+    right = replace(old, left=middle, length=old.length - at)
+    edges = list(level.graph.edges)
+    edges[edge] = left
+
+    def renamed(border: EdgePosition[N]) -> EdgePosition[N]:
+        if border.edge != edge or border.location <= at:
+            return border
+        return EdgePosition(len(edges), border.location - at)
+
+    graph = Graph((*level.graph.vertices, vertex), (*edges, right), level.graph.circumference)
+    return replace(level, graph=graph, bodies=tuple(with_borders(body, renamed) for body in level.bodies))
