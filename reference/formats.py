@@ -6,7 +6,6 @@ Exact numbers travel as strings (`"3/2"`, `"-0.25"`); JSON numbers are accepted 
 from __future__ import annotations
 
 import re
-from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
 from typing import Literal, TypeVar
@@ -15,8 +14,7 @@ import msgspec
 
 from reference.row import LevelError
 from spec.body import Body, EdgePosition, Level
-from spec.graph import IrrationalLength, Vertex, polyline
-from spec.number import N
+from spec.graph import Edge, Graph, IrrationalLength, Vertex, polyline
 
 MOST_DIGITS = 100
 MOST_BODIES = 100_000
@@ -35,14 +33,14 @@ class Record(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
     """What every object in a file is: its fields and no others."""
 
 
-class Position(Record):
+class Position(Record, frozen=True):
     """An edge position: an edge's number in the order of the vertices, and a location from its left end."""
 
     edge: int
     location: Number
 
 
-class BodyRecord(Record):
+class BodyRecord(Record, frozen=True):
     """A body: its name, its two borders, and its speed (distance per second; 0 for a box)."""
 
     name: str
@@ -51,7 +49,7 @@ class BodyRecord(Record):
     speed: Number = "0"
 
 
-class LevelRecord(Record):
+class LevelRecord(Record, frozen=True):
     """A level: a list of vertices from left to right, round a cylinder if it has a circumference."""
 
     format: Literal["graphbody/level@1"]
@@ -64,28 +62,28 @@ class LevelRecord(Record):
     note: str = ""
 
 
-class RequestRecord(Record):
+class RequestRecord(Record, frozen=True):
     """A request: a body is to move by a distance, negative to the left."""
 
     body: str
     distance: Number
 
 
-class TickRecord(Record):
+class TickRecord(Record, frozen=True):
     """Ticks with one key held."""
 
     key: Literal["left", "right"]
     times: int = 1
 
 
-class StepRecord(Record):
+class StepRecord(Record, frozen=True):
     """One step of a scenario: either a request or ticks."""
 
     request: RequestRecord | None = None
     tick: TickRecord | None = None
 
 
-class ScenarioRecord(Record):
+class ScenarioRecord(Record, frozen=True):
     """A scenario: a level, in the file or beside it, a profile, and steps."""
 
     format: Literal["graphbody/scenario@1"]
@@ -236,18 +234,15 @@ def write(path: Path, record: msgspec.Struct) -> None:
 
 def in_floats(level: Level[Fraction]) -> Level[float]:
     """The level in binary floating point, as a game would hold it."""
-    graph = level.graph
+    round_ = level.graph.circumference
+    vertices = tuple(Vertex(float(v.x), float(v.y)) for v in level.graph.vertices)
+    edges = tuple(Edge(e.left, e.right, e.type, float(e.length)) for e in level.graph.edges)
 
     def position(at: EdgePosition[Fraction]) -> EdgePosition[float]:
         return EdgePosition(at.edge, float(at.location))
 
     return Level(
-        replace(
-            graph,  # type: ignore[arg-type]
-            vertices=tuple(Vertex(float(v.x), float(v.y)) for v in graph.vertices),
-            edges=tuple(replace(e, length=float(e.length)) for e in graph.edges),  # type: ignore[arg-type]
-            circumference=None if graph.circumference is None else float(graph.circumference),
-        ),
+        Graph(vertices, edges, None if round_ is None else float(round_)),
         float(level.margin),
         float(level.tick),
         tuple(Body(b.name, position(b.left), position(b.right), float(b.speed)) for b in level.bodies),
