@@ -18,7 +18,7 @@ from spec.graph import Edge, Graph, IrrationalLength, Vertex, polyline
 
 MOST_DIGITS = 100
 MOST_BODIES = 100_000
-NUMBER = re.compile(r"[+-]?\d+(/\d+|\.\d+)?")
+NUMBER = re.compile(r"[+-]?[0-9]+(/[0-9]+|\.[0-9]+)?")
 PLACE = re.compile(r"(?P<problem>.*) - at `(?P<place>\$.*)`", re.DOTALL)
 
 Number = str | int | float
@@ -146,7 +146,9 @@ def level_of(record: LevelRecord, place: str = "$") -> Level[Fraction]:
         LevelError: if a number, a name or an edge is not as it must be.
     """
     if len(record.bodies) > MOST_BODIES:
-        raise LevelError(f"{place}.bodies", f"expected at most {MOST_BODIES} bodies, got {len(record.bodies)}")
+        raise LevelError(
+            f"{place}.bodies", f"expected at most {MOST_BODIES} bodies, got {len(record.bodies)}"
+        )
     vertices = [
         Vertex(exact(x, f"{place}.vertices[{i}][0]"), exact(y, f"{place}.vertices[{i}][1]"))
         for i, (x, y) in enumerate(record.vertices)
@@ -175,11 +177,15 @@ def check_left_to_right(vertices: list[Vertex[Fraction]], circumference: Fractio
         if right.x < left.x:
             raise LevelError(f"{place}.vertices[{i + 1}]", f"expected x of {left.x} or more, got {right.x}")
     if circumference is not None and vertices[-1].x - vertices[0].x >= circumference:
-        raise LevelError(f"{place}.circumference", "expected more than the distance of the first and last vertex")
+        raise LevelError(
+            f"{place}.circumference", "expected more than the distance of the first and last vertex"
+        )
 
 
 def body_of(record: BodyRecord, place: str) -> Body[Fraction]:
     """A body with exact numbers."""
+    if not record.name:
+        raise LevelError(f"{place}.name", "expected a name, got an empty one")
     speed = exact(record.speed, f"{place}.speed")
     if speed < 0:
         raise LevelError(f"{place}.speed", f"expected 0 or more, got {speed}")

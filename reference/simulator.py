@@ -51,7 +51,9 @@ def heard(rules: Rules, record: Record) -> Rules:
     )
 
 
-def fulfil(start: Ask[N, int], begin: Callable[[Ask[N, int]], Generator[Ask[N, int], N, N]], record: Record) -> N:
+def fulfil(
+    start: Ask[N, int], begin: Callable[[Ask[N, int]], Generator[Ask[N, int], N, N]], record: Record
+) -> N:
     """Run a request and, one inside the other, those that it makes; return the distance moved.
 
     The chain is a list, not a recursion: it may be as long as the row.
@@ -74,9 +76,7 @@ def fulfil(start: Ask[N, int], begin: Callable[[Ask[N, int]], Generator[Ask[N, i
             answer = None
 
 
-def move(
-    profile: Profile, row: Row[N], body: int, direction: Direction, distance: N
-) -> tuple[N, Record]:
+def move(profile: Profile, row: Row[N], body: int, direction: Direction, distance: N) -> tuple[N, Record]:
     """Request `body` to move by `distance >= 0` in a direction; return the distance moved and the record."""
     record = Record(body)
     rules, view = heard(profile.rules, record), row.facing(direction)

@@ -94,7 +94,14 @@ def rational_root(square: Fraction) -> Fraction | None:
     return root if root * root == square else None
 
 
-def edge_between(vertices: Sequence[Vertex[Fraction]], ends: tuple[int, int], shift: Fraction, index: int) -> Edge[Fraction]:
+def extent(left: Vertex[N], right: Vertex[N], shift: N) -> tuple[N, N]:
+    """How far it is across and up from one vertex to another, which is moved to the right by `shift`."""
+    return right.x + shift - left.x, right.y - left.y
+
+
+def edge_between(
+    vertices: Sequence[Vertex[Fraction]], ends: tuple[int, int], shift: Fraction, index: int
+) -> Edge[Fraction]:
     """An edge between two vertices, the right one moved by `shift` (once round the cylinder, or 0).
 
     It is ground if its steepness is at most 60 degrees, else a fall edge (6.1.3; R30, A42).
@@ -102,8 +109,7 @@ def edge_between(vertices: Sequence[Vertex[Fraction]], ends: tuple[int, int], sh
     Raises:
         IrrationalLength: if the distance is irrational.
     """
-    left, right = vertices[ends[0]], vertices[ends[1]]
-    across, up = right.x + shift - left.x, right.y - left.y
+    across, up = extent(vertices[ends[0]], vertices[ends[1]], shift)
     length = rational_root(across * across + up * up)
     if length is None:
         raise IrrationalLength(index)

@@ -80,20 +80,24 @@ def terminates(deed: Deed[N]) -> Truth:
     k-th body makes k e, and all together n (n + 1) e / 2. A segment fires four rules; the request that it may
     make fires `follow/rear` and the walks of the rear border, which add no more than three a segment.
     """
-    bodies, edges = len(deed.before.bodies_in_order()), deed.before.edges() + 1
+    bodies, edges = len(deed.before.bodies_in_order()), len(deed.before.edge_lengths()) + 1
     return deed.depth <= deed.limit and deed.fired <= 7 * edges * bodies * (bodies + 1) // 2
 
 
 def rigid_width(deed: Deed[N]) -> Truth:
     """No body changes its width."""
     before, after = deed.before, deed.after
-    return every(equal(before.width(body), after.width(body), deed.tolerance) for body in before.bodies_in_order())
+    return every(
+        equal(before.width(body), after.width(body), deed.tolerance) for body in before.bodies_in_order()
+    )
 
 
 def on_graph(deed: Deed[N]) -> Truth:
     """No border leaves its edge."""
     zero = zero_like(deed.asked) - deed.tolerance
-    return every(slack >= zero for body in deed.after.bodies_in_order() for slack in deed.after.off_graph(body))
+    return every(
+        slack >= zero for body in deed.after.bodies_in_order() for slack in deed.after.off_graph(body)
+    )
 
 
 def at_most_asked(deed: Deed[N]) -> Truth:
@@ -189,7 +193,10 @@ RIGID_WIDTH = Invariant(
     "invariant/rigid-width", "No request changes the width of a body.", "4.3.1; R8, A31", rigid_width
 )
 ON_GRAPH = Invariant(
-    "invariant/on-graph", "Every border stays on an edge, between its ends.", "4.3.1, 6.1.1; R7, A32", on_graph
+    "invariant/on-graph",
+    "Every border stays on an edge, between its ends.",
+    "4.3.1, 6.1.1; R7, A32",
+    on_graph,
 )
 AT_MOST_ASKED = Invariant(
     "invariant/at-most-asked",
@@ -239,10 +246,14 @@ class Relation:
 
 
 ADDITIVE = Relation(
-    "invariant/additive", "Two requests, one after the other, do what one request of their sum does.", "6.2.1; R17"
+    "invariant/additive",
+    "Two requests, one after the other, do what one request of their sum does.",
+    "6.2.1; R17",
 )
 MIRROR = Relation(
-    "invariant/mirror", "The mirror image of a request does the mirror image of what the request does.", "6.1.1; A58"
+    "invariant/mirror",
+    "The mirror image of a request does the mirror image of what the request does.",
+    "6.1.1; A58",
 )
 EDGE_SPLIT = Relation(
     "invariant/edge-split", "Splitting a ground edge in two changes no movement.", "6.2.1a; R18, A12"
@@ -254,4 +265,11 @@ DETERMINISM = Relation(
     "invariant/determinism", "The same level and the same requests give the same result.", "7.2; R17"
 )
 
-RELATIONS: tuple[Relation, ...] = (ADDITIVE, MIRROR, EDGE_SPLIT, TRANSLATION, DETERMINISM)
+CLOSED_FORM = Relation(
+    "invariant/closed-form",
+    "A request moves its body by the distance asked, at most by all free space up to what stops the chain, and "
+    "each body ahead by what that exceeds the free space before it.",
+    "6.2.1c; R20, A6, A7",
+)
+
+RELATIONS: tuple[Relation, ...] = (ADDITIVE, MIRROR, EDGE_SPLIT, TRANSLATION, DETERMINISM, CLOSED_FORM)

@@ -24,9 +24,7 @@ class Profile:
 
 THESIS = Profile(
     name="thesis",
-    rules=Rules(
-        clearance=CLEARANCE, push=PUSH, contact=CONTACT, walk=WALK, follow=FOLLOW, segment=segment
-    ),
+    rules=Rules(clearance=CLEARANCE, push=PUSH, contact=CONTACT, walk=WALK, follow=FOLLOW, segment=segment),
     push_limit=PUSH_LIMIT.choice,
     tick_order=TICK_ORDER.choice,
 )

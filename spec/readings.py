@@ -102,7 +102,8 @@ RECORDED: tuple[Reading[None], ...] = (
     ),
     Reading(
         id="reading/vertex-names",
-        sentence="A border at a vertex that two edges share keeps the name of the edge that it came along.",
+        sentence="A border at a vertex that two edges share is named by the edge that it came along, or by the next "
+        "once it has been asked to go on; both names are one place.",
         source="6.1.1; A57",
         others="either name",
         choice=None,

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
+from fractions import Fraction
 
 from spec.body import Body, EdgePosition, Level
-from spec.graph import Edge, Graph, Vertex
+from spec.graph import Edge, Graph, Vertex, polyline
 from spec.number import N, zero_like
 
 
@@ -41,9 +42,15 @@ def mirror(level: Level[N]) -> Level[N]:
     )
 
 
-def moved_to(vertex: Vertex[N], by: Vertex[N]) -> Vertex[N]:
+def shifted(vertex: Vertex[N], by: Vertex[N]) -> Vertex[N]:
     """A vertex moved by a vector."""
     return Vertex(vertex.x + by.x, vertex.y + by.y)
+
+
+def moved(level: Level[Fraction], by: Vertex[Fraction]) -> Level[Fraction]:
+    """The level moved by a vector in its plane, its edges made anew from its vertices."""
+    vertices = [shifted(vertex, by) for vertex in level.graph.vertices]
+    return replace(level, graph=polyline(vertices, level.graph.circumference))
 
 
 def split(level: Level[N], edge: int, at: N, vertex: Vertex[N]) -> Level[N]:

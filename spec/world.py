@@ -65,8 +65,12 @@ class State(Protocol[N_co]):
     def margin(self) -> N_co:
         """The collision margin."""
 
-    def edges(self) -> int:
-        """The number of ground edges."""
+    @property
+    def closed(self) -> bool:
+        """Whether the string of edges is a ring."""
+
+    def edge_lengths(self) -> Sequence[N_co]:
+        """The lengths of all ground edges."""
 
     def bodies_in_order(self) -> Sequence[int]:
         """All bodies, from left to right; on a ring, once round."""

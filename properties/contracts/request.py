@@ -21,13 +21,14 @@ from typing import Any
 from properties.given import Given, Infeasible
 from properties.worlds.window import ME, NEIGHBOUR, Capacity, Spot, Window, capacity, spot, window
 from spec.number import greater, lesser
+from spec.profiles import Profile
 from spec.rule import AnyRule, Chooser, Family, GuardError, Rule
-from spec.rules.request import Ask, Rules, request, segment
+from spec.rules.request import Ask, Rules, request
 from spec.rules.walk import Motion, Tow, walk
 from spec.rules.push import Way
 
 Grant = Callable[[Ask[Any, str]], Any]
-ONE_RULE = "exactly one rule of each family applies"
+ONE_RULE = "rules/one-applies"
 
 
 @dataclass(frozen=True)
@@ -60,14 +61,24 @@ def seen_by(given: Given, rules: Rules) -> Rules:
     )
 
 
-def drive(running: Generator[Ask[Any, str], Any, Any], seen: Window, grant: Grant) -> Any:
-    """Run a program of the rules, answering each `Ask` by a contract."""
+def judged(program: Callable[[Profile, Given], None], profile: Profile, given: Given) -> None:
+    """Run an obligation; an effect whose own requirement is not met (an `assert`) breaks a promise too."""
+    try:
+        program(profile, given)
+    except AssertionError:
+        given.ensure("what an effect requires of its facts holds", False)
+        raise Infeasible from None
+
+
+def drive(given: Given, running: Generator[Ask[Any, str], Any, Any], seen: Window, grant: Grant) -> Any:
+    """Run a program of the rules, answering each `Ask` by a contract, whose requirement it must meet."""
     answer = None
     while True:
         try:
             ask = running.send(answer)
         except StopIteration as end:
             return end.value
+        given.ensure("asks for a distance of at least 0", ask.distance >= 0)
         seen.asks.append(ask)
         answer = grant(ask)
         seen.granted = seen.granted + answer
@@ -89,10 +100,12 @@ def no_more_than_asked(given: Given) -> Grant:
     return grant
 
 
-def run_segment(rules: Rules, given: Given, seen: Window, grant: Grant) -> tuple[Any, Motion[Any, Spot], Motion[Any, Spot]]:
+def run_segment(
+    rules: Rules, given: Given, seen: Window, grant: Grant
+) -> tuple[Any, Motion[Any, Spot], Motion[Any, Spot]]:
     """One segment of any motion in a window: the spare asks it had, and the motion before and after."""
     spare, before = given.natural("bodies that may still be asked"), any_motion(given, seen.start)
-    after = drive(rules.segment(seen_by(given, rules), seen, ME, before, spare), seen, grant)
+    after = drive(given, rules.segment(seen_by(given, rules), seen, ME, before, spare), seen, grant)
     return spare, before, after
 
 
@@ -150,7 +163,9 @@ def segment_exact(rules: Rules, given: Given) -> None:
     spare, before, after = run_segment(rules, given, seen, lambda ask: lesser(ask.distance, able.neighbour))
     limit, step = able.of_me(replace(seen, granted=seen.granted * 0), spare), after.moved - before.moved
     most = before.rest if limit is None else lesser(before.rest, limit)
-    given.ensure("moves as far as possible, or is on its way there", (step <= most) & (after.going | (step == most)))
+    given.ensure(
+        "moves as far as possible, or is on its way there", (step <= most) & (after.going | (step == most))
+    )
     given.ensure("has gone all of the edge, if it goes on", (not after.going) | (step == seen.start.reach))
     bystanders_keep(given, seen, step)
 
@@ -174,21 +189,23 @@ def request_is_its_segments(rules: Rules, given: Given) -> None:
 
     def segments(rules: Rules, view: Window, body: str, motion: Motion[Any, Spot], spare: int) -> Any:
         starts.append(motion)
+        yield from ()
         return replace(motion, at=view.along(motion.at, went), moved=motion.moved + went, going=False)
-        yield
 
     def towed(tow: Tow[Any, Spot]) -> Spot:
         tows.append(tow)
         return rear_goes
 
     stand_ins = replace(rules, segment=segments, follow=Family("follow", (stand_in(towed),)))
-    moved = drive(request(stand_ins, seen, ME, distance, 0), seen, no_more_than_asked(given))
+    moved = drive(given, request(stand_ins, seen, ME, distance, 0), seen, no_more_than_asked(given))
     given.ensure("says how far it moved", moved == went)
     given.ensure("begins at the front border, with all it was asked", one_start(starts, seen, distance))
     given.ensure("the rear is towed by the distance moved", len(tows) == 1 and tows[0].moved == went)
     placed = [(body, front.travelled == went, rear is rear_goes) for body, front, rear in seen.placed]
-    given.ensure("places its own body, once", len(placed) == 1 and placed[0][0] == ME and placed[0][2])
-    given.ensure("places the front where it went", placed[0][1])
+    given.ensure("places its own body, once", [body for body, _, _ in placed] == [ME])
+    for _, front_there, rear_there in placed:
+        given.ensure("places the front where it went", front_there)
+        given.ensure("places the rear where it was towed", rear_there)
 
 
 def one_start(starts: list[Motion[Any, Spot]], seen: Window, distance: Any) -> Any:

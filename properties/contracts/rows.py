@@ -14,10 +14,10 @@ from properties.given import Given
 from properties.worlds.rows import any_level, row
 from reference.row import Facing
 from spec.body import Level
-from spec.graph import Direction, Vertex
+from spec.graph import Direction, Vertex, extent
 from spec.invariants import OF_ONE_REQUEST, every
 from spec.profiles import Profile
-from spec.transform import mirror, split
+from spec.transform import mirror, shifted, split
 
 
 def same(a: Any | None, b: Any | None) -> Any:
@@ -42,10 +42,38 @@ def check_same_facts(given: Given, level: Level[Any], other: Level[Any], turned:
             gap, wall = facts(one.facing(direction), body)
             twin_gap, twin_wall = facts(two.facing(direction.opposite if turned else direction), twin)
             given.ensure(f"{direction.name}: the same gap ahead of body {body}", same(gap, twin_gap))
-            given.ensure(f"{direction.name}: the same distance to the wall for body {body}", same(wall, twin_wall))
+            given.ensure(
+                f"{direction.name}: the same distance to the wall for body {body}", same(wall, twin_wall)
+            )
 
 
-def mirror_has_the_same_facts(given: Given, bodies: int, edges: int, closed: bool) -> None:
+def translation_keeps_extents(profile: Profile, given: Given) -> None:
+    """An edge between two vertices extends as far across and up as between the two moved by a vector."""
+    left, right, by = (
+        Vertex(given.number(f"{name}.x"), given.number(f"{name}.y")) for name in ("left", "right", "by")
+    )
+    shift = given.number("once round")
+    across, up = extent(left, right, shift)
+    across_after, up_after = extent(shifted(left, by), shifted(right, by), shift)
+    given.ensure("as far across", across == across_after)
+    given.ensure("as far up", up == up_after)
+
+
+def border_keeps_coordinate(
+    profile: Profile, given: Given, bodies: int, edges: int, closed: bool, cut: int
+) -> None:
+    """Splitting an edge keeps the coordinate of any border, and the length of the string."""
+    level = any_level(given, bodies, edges, closed)
+    at = given.number("where the edge is split")
+    given.assume(level.graph.edges[cut].length - at > 0)
+    one, two = row(level), row(split(level, cut, at, Vertex(at, at)))
+    given.ensure("the same length", one.length == two.length)
+    for direction in Direction:
+        border, twin = (held.coordinate(held.bodies[0].border(direction)) for held in (one, two))
+        given.ensure("the same coordinate", border == twin)
+
+
+def mirror_has_the_same_facts(profile: Profile, given: Given, bodies: int, edges: int, closed: bool) -> None:
     """The mirror image of a row has the mirrored gaps and walls."""
     level = any_level(given, bodies, edges, closed)
     image = mirror(level)
@@ -53,7 +81,7 @@ def mirror_has_the_same_facts(given: Given, bodies: int, edges: int, closed: boo
     check_same_facts(given, level, reversed_row, turned=True)
 
 
-def split_has_the_same_facts(given: Given, bodies: int, edges: int, closed: bool) -> None:
+def split_has_the_same_facts(profile: Profile, given: Given, bodies: int, edges: int, closed: bool) -> None:
     """Splitting the first edge of a row keeps all gaps and walls."""
     level = any_level(given, bodies, edges, closed)
     at = given.number("where the edge is split")
@@ -62,7 +90,7 @@ def split_has_the_same_facts(given: Given, bodies: int, edges: int, closed: bool
     check_same_facts(given, level, split(level, 0, at, Vertex(at, at)), turned=False)
 
 
-def world_is_lawful(given: Given, bodies: int, edges: int, closed: bool) -> None:
+def world_is_lawful(profile: Profile, given: Given, bodies: int, edges: int, closed: bool) -> None:
     """The reference world keeps the laws of `spec.world.View`, in both directions."""
     held = row(any_level(given, bodies, edges, closed))
     for direction in Direction:
@@ -74,7 +102,9 @@ def world_is_lawful(given: Given, bodies: int, edges: int, closed: bool) -> None
 def check_laws(given: Given, view: Facing[Any], body: int) -> None:
     """Promise the laws at one border."""
     at, step = view.front(body), view.reach(view.front(body))
-    given.ensure("a border is on its edge", (step >= 0) & (view.along(at, step).location == view.end(at).location))
+    given.ensure(
+        "a border is on its edge", (step >= 0) & (view.along(at, step).location == view.end(at).location)
+    )
     onward = view.onward(at)
     other = view.row.beside(body, view.direction)
     wall = view.row.to_wall(body, view.direction)
@@ -90,7 +120,9 @@ def check_laws(given: Given, view: Facing[Any], body: int) -> None:
         given.ensure("on the last edge a body ahead is seen", view.ahead(body, at) == other)
     else:
         in_sight = view.ahead(body, at) is not None
-        given.ensure("on this edge and the next a body is seen", (gap <= step + view.reach(onward)) == in_sight)
+        given.ensure(
+            "on this edge and the next a body is seen", (gap <= step + view.reach(onward)) == in_sight
+        )
     if wall is not None:
         given.ensure("no body stands behind a wall", gap < wall)
 
@@ -104,6 +136,6 @@ def rows_keep_the_invariants(
     if closed:
         given.assume(asked <= held.free)
     mover = 0 if direction is Direction.RIGHT else bodies - 1
-    deed = do(profile, held, mover, direction, asked, asked * 0)
+    deed, _ = do(profile, held, mover, direction, asked, asked * 0)
     for invariant in OF_ONE_REQUEST:
         given.ensure(invariant.id, every([invariant.holds(deed)]))

@@ -76,8 +76,10 @@ class Symbolic:
     def __rsub__(self, other: Any) -> Symbolic:
         return Symbolic(term_of(other) - self.term)
 
-    def __mul__(self, other: int) -> Symbolic:
+    def __mul__(self, other: Any) -> Symbolic:
         return Symbolic(z3.simplify(self.term * term_of(other)))
+
+    __rmul__ = __mul__
 
     def __lt__(self, other: Any) -> SymbolicTruth:
         return SymbolicTruth(self.term < term_of(other))

@@ -5,15 +5,18 @@ from __future__ import annotations
 from typing import Any
 
 from reference.row import Row
-from reference.simulator import move
+from reference.simulator import Record, move
 from spec.graph import Direction
 from spec.invariants import Deed
 from spec.profiles import Profile
 
 
-def do(profile: Profile, row: Row[Any], body: int, direction: Direction, asked: Any, tolerance: Any) -> Deed[Any]:
-    """Make a request of a copy of a row, and return what came of it."""
+def do(
+    profile: Profile, row: Row[Any], body: int, direction: Direction, asked: Any, tolerance: Any
+) -> tuple[Deed[Any], Record]:
+    """Make a request of a copy of a row; return what came of it, and the rules that fired."""
     after = row.copy()
     moved, record = move(profile, after, body, direction, asked)
     limit = profile.push_limit(len(row.bodies))
-    return Deed(row, after, body, direction, asked, moved, record.depth, limit, len(record.fired), tolerance)
+    deed = Deed(row, after, body, direction, asked, moved, record.depth, limit, len(record.fired), tolerance)
+    return deed, record

@@ -5,19 +5,23 @@ They run on the reference world itself.
 
 from __future__ import annotations
 
+from fractions import Fraction
 from typing import Any
 
 from properties.given import Given
 from reference.row import Row
 from spec.body import Body, EdgePosition, Level
-from spec.graph import Edge, EdgeType, Graph
+from spec.graph import Edge, EdgeType, Graph, Vertex
 
 
 def string_graph(lengths: list[Any], circumference: Any | None) -> Graph[Any]:
     """Ground edges end to end, on a line or round a ring."""
     ends = len(lengths) if circumference is not None else len(lengths) + 1
     edges = tuple(Edge(i, (i + 1) % ends, EdgeType.GROUND, length) for i, length in enumerate(lengths))
-    return Graph((), edges, circumference)
+    zero, along = lengths[0] * 0, [lengths[0] * 0]
+    for length in lengths[: ends - 1]:
+        along.append(along[-1] + length)
+    return Graph(tuple(Vertex(x, zero) for x in along), edges, circumference)
 
 
 def located(lengths: list[Any], along: Any, closed: bool) -> EdgePosition[Any]:
@@ -31,7 +35,9 @@ def located(lengths: list[Any], along: Any, closed: bool) -> EdgePosition[Any]:
     return EdgePosition(len(lengths) - 1, lengths[-1] + along)
 
 
-def any_level(given: Given, bodies: int, edges: int, closed: bool, edges_long: bool = True) -> Level[Any]:
+def any_level(
+    given: Given, bodies: int, edges: int, closed: bool, edges_long: bool = True, speed: int = 0
+) -> Level[Any]:
     """Any valid start of `bodies` bodies on a string of `edges` edges."""
     margin = given.number("margin")
     given.assume(margin > 0)
@@ -50,12 +56,18 @@ def any_level(given: Given, bodies: int, edges: int, closed: bool, edges_long: b
         along = along + width + margin
         if index < bodies - 1:
             along = along + given.number(f"room after {chr(65 + index)}")
-    given.assume(along <= first + total if closed and bodies > 1 else along - margin <= (first + total if closed else total))
+    given.assume(
+        along <= first + total
+        if closed and bodies > 1
+        else along - margin <= (first + total if closed else total)
+    )
     placed = tuple(
-        Body(chr(65 + i), located(lengths, left, closed), located(lengths, right, closed), margin * 0)
+        Body(chr(65 + i), located(lengths, left, closed), located(lengths, right, closed), Fraction(speed))
         for i, (left, right) in enumerate(held)
     )
-    return Level(string_graph(lengths, total if closed else None), margin, margin, placed)
+    tick = given.number("tick")
+    given.assume(tick > 0)
+    return Level(string_graph(lengths, total if closed else None), margin, tick, placed)
 
 
 def row(level: Level[Any]) -> Row[Any]:

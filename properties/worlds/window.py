@@ -83,7 +83,10 @@ class Window:
 
 def spot(given: Given, name: str) -> Spot:
     """Any place on any edge."""
-    reach, behind = given.number(f"{name}: distance to the end of the edge"), given.number(f"{name}: distance behind it")
+    reach, behind = (
+        given.number(f"{name}: distance to the end of the edge"),
+        given.number(f"{name}: distance behind it"),
+    )
     return Spot(reach * 0, 0, reach + behind, reach)
 
 

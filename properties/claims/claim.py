@@ -1,0 +1,70 @@
+"""What a claim is, and what can be shown for it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from enum import StrEnum
+
+from properties.contracts.errata import Stage
+from properties.given import Given
+from spec.profiles import Profile
+
+
+class Verdict(StrEnum):
+    """What a run showed, from the strongest to the weakest; a refuted claim is settled, by a witness."""
+
+    PROVED = "proved"
+    BOUNDED = "bounded"
+    TESTED = "tested"
+    REFUTED = "refuted"
+    UNKNOWN = "unknown"
+
+
+@dataclass(frozen=True)
+class Obligation:
+    """Something to be proved for all values. `bodies` is None if it speaks of any number of bodies."""
+
+    id: str
+    program: Callable[[Profile, Given], None]
+    bodies: int | None = None
+
+
+@dataclass(frozen=True)
+class Count:
+    """An exact count over many worlds: a function that returns the number of cases, or raises AssertionError."""
+
+    id: str
+    program: Callable[[Profile], int]
+
+
+Erratum = Callable[[Profile, Given, Stage], None]
+
+
+@dataclass(frozen=True)
+class Claim:
+    """A claim, what it is about, what is expected of it, and what is to show it.
+
+    Attributes:
+        about: the ID of the invariant or rule family.
+        premises: the IDs of the conditions it assumes.
+        obligations: what is to be proved; all of them, for the claim to be proved.
+        sampled: whether the property `about` is also tested on random rows.
+        counts: exact counts that are to come out.
+        erratum: for a claim that is expected to be refuted, the promise that a witness breaks.
+    """
+
+    id: str
+    family: str
+    sentence: str
+    source: str
+    about: str
+    profile: Profile
+    premises: tuple[str, ...]
+    expected: Verdict
+    obligations: tuple[Obligation, ...] = ()
+    sampled: bool = False
+    counts: tuple[Count, ...] = ()
+    erratum: Erratum | None = None
+
+    kind = "claim"

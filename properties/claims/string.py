@@ -1,0 +1,263 @@
+"""The claims about one string of ground edges, under the profile `thesis`."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import partial
+from typing import Any
+
+from properties.claims.claim import Claim, Count, Erratum, Obligation, Verdict
+from properties.contracts import counts, errata, families, request, rows
+from properties.given import Given
+from spec.conditions import EDGES_LONG, FREE_SPACE, IN_ORDER, MARGINS_KEPT, ONCE_ROUND
+from spec.graph import Direction
+from spec.invariants import (
+    ADDITIVE,
+    AS_FAR_AS_POSSIBLE,
+    AT_MOST_ASKED,
+    BYSTANDERS,
+    CLOSED_FORM,
+    DETERMINISM,
+    DIRECTION,
+    EDGE_SPLIT,
+    MIRROR,
+    NO_OVERLAP,
+    ON_GRAPH,
+    ORDER,
+    RIGID_WIDTH,
+    TERMINATION,
+    TRANSLATION,
+    Invariant,
+    Relation,
+)
+from spec.profiles import THESIS, Profile
+from spec.rules.request import Rules
+
+PROVED, BOUNDED, TESTED, REFUTED = Verdict.PROVED, Verdict.BOUNDED, Verdict.TESTED, Verdict.REFUTED
+
+
+def of_rules(program: Callable[[Rules, Given], None]) -> Obligation:
+    """An obligation on the rules, for any number of bodies and edges."""
+
+    def of_profile(profile: Profile, given: Given) -> None:
+        program(profile.rules, given)
+
+    return Obligation(
+        f"{program.__module__.rpartition('.')[2]}/{program.__name__.replace('_', '-')}", of_profile
+    )
+
+
+def of_rows(program: Callable[..., None], bodies: int, edges: int, closed: bool, **more: Any) -> Obligation:
+    """An obligation on whole rows of a fixed size."""
+    shape = f"{bodies} on a {'ring' if closed else 'line'} of {edges}"
+    extra = "".join(f", {getattr(value, 'name', value)}" for value in more.values()).lower()
+
+    def of_profile(profile: Profile, given: Given) -> None:
+        program(profile, given, bodies=bodies, edges=edges, closed=closed, **more)
+
+    return Obligation(f"rows/{program.__name__.replace('_', '-')} ({shape}{extra})", of_profile, bodies)
+
+
+ONE_RULE = tuple(
+    of_rules(program)
+    for program in (
+        families.clearance_has_one,
+        families.push_has_one,
+        families.contact_has_one,
+        families.walk_has_one,
+    )
+)
+ACCOUNTS = of_rules(request.segment_accounts)
+KEEPS_ORDER = of_rules(request.segment_keeps_order)
+KEEPS_MARGIN = of_rules(request.segment_keeps_margin)
+TERMINATES = of_rules(request.segment_terminates)
+EXACT = of_rules(request.segment_exact)
+REQUEST = of_rules(request.request_is_its_segments)
+REAR_WALKS = of_rules(request.rear_walks_on)
+REAR_FOLLOWS = of_rules(request.rear_follows_by_the_same)
+FUNCTION = of_rules(request.segment_is_a_function)
+TWO_ARE_ONE = of_rules(request.two_requests_are_one)
+WHOLE_REQUEST = (*ONE_RULE, ACCOUNTS, REQUEST, REAR_WALKS, REAR_FOLLOWS)
+
+WHOLE_ROWS = tuple(
+    of_rows(rows.rows_keep_the_invariants, bodies, edges, closed, direction=direction)
+    for bodies, edges, closed in ((2, 2, False), (2, 1, True), (3, 1, False))
+    for direction in Direction
+)
+LAWS = tuple(
+    of_rows(rows.world_is_lawful, bodies, edges, closed)
+    for bodies, edges, closed in ((8, 2, False), (8, 1, True), (2, 3, False))
+)
+MIRRORED = tuple(
+    of_rows(rows.mirror_has_the_same_facts, bodies, edges, closed)
+    for bodies, edges, closed in ((8, 2, False), (8, 1, True), (2, 3, False))
+)
+SPLIT = (
+    of_rows(rows.split_has_the_same_facts, 8, 1, closed=False),
+    *(
+        of_rows(rows.border_keeps_coordinate, 1, 3, closed, cut=cut)
+        for closed in (False, True)
+        for cut in range(3)
+    ),
+)
+TRANSLATED = Obligation("rows/translation-keeps-extents", rows.translation_keeps_extents)
+
+KEPT, LONG, FREE = MARGINS_KEPT.id, EDGES_LONG.id, FREE_SPACE.id
+
+
+def holds(
+    about: Invariant | Relation,
+    family: str,
+    premises: tuple[str, ...],
+    *obligations: Obligation,
+    expected: Verdict = PROVED,
+) -> Claim:
+    """The claim that an invariant holds under the premises."""
+    name = about.id.removeprefix("invariant/")
+    return Claim(
+        id=f"claim/{name}",
+        family=family,
+        sentence=about.sentence,
+        source=about.source,
+        about=about.id,
+        profile=THESIS,
+        premises=premises,
+        expected=expected,
+        obligations=obligations,
+        sampled=True,
+    )
+
+
+def refuted(
+    name: str, about: str, sentence: str, source: str, premises: tuple[str, ...], erratum: Erratum
+) -> Claim:
+    """A claim that is expected to be refuted by a witness."""
+    return Claim(
+        f"claim/{name}", "errata", sentence, source, about, THESIS, premises, REFUTED, erratum=erratum
+    )
+
+
+def counted(name: str, about: str, sentence: str, source: str, program: Callable[[Profile], int]) -> Claim:
+    """A claim on counted work, tested on many rows exactly."""
+    count = Count(f"counts/{program.__name__.replace('_', '-')}", program)
+    return Claim(f"claim/{name}", "work", sentence, source, about, THESIS, (), TESTED, counts=(count,))
+
+
+CLAIMS: tuple[Claim, ...] = (
+    holds(NO_OVERLAP, "safety", (KEPT, LONG), *WHOLE_REQUEST, KEEPS_MARGIN),
+    holds(ORDER, "safety", (IN_ORDER.id,), *WHOLE_REQUEST, KEEPS_ORDER),
+    holds(TERMINATION, "termination", (IN_ORDER.id, ONCE_ROUND.id), *WHOLE_REQUEST, TERMINATES),
+    holds(RIGID_WIDTH, "safety", (IN_ORDER.id,), *WHOLE_REQUEST),
+    holds(ON_GRAPH, "safety", (IN_ORDER.id,), *WHOLE_REQUEST),
+    holds(AT_MOST_ASKED, "movement", (IN_ORDER.id,), *WHOLE_REQUEST),
+    holds(DIRECTION, "movement", (IN_ORDER.id,), *WHOLE_REQUEST),
+    holds(BYSTANDERS, "movement", (KEPT, LONG), *WHOLE_REQUEST, EXACT),
+    holds(AS_FAR_AS_POSSIBLE, "movement", (KEPT, LONG), *WHOLE_REQUEST, EXACT),
+    holds(CLOSED_FORM, "movement", (KEPT, LONG), *WHOLE_REQUEST, EXACT),
+    holds(DETERMINISM, "movement", (IN_ORDER.id,), *WHOLE_REQUEST, FUNCTION),
+    holds(ADDITIVE, "relations", (KEPT, LONG, FREE), *WHOLE_REQUEST, EXACT, TWO_ARE_ONE),
+    holds(MIRROR, "relations", (KEPT, LONG), *WHOLE_REQUEST, EXACT, *MIRRORED, expected=BOUNDED),
+    holds(EDGE_SPLIT, "relations", (KEPT, LONG), *WHOLE_REQUEST, EXACT, *SPLIT, expected=BOUNDED),
+    holds(TRANSLATION, "relations", (), *WHOLE_REQUEST, TRANSLATED),
+    Claim(
+        id="claim/one-rule-applies",
+        family="rules",
+        sentence="Within each family, exactly one rule applies in every situation.",
+        source="6.2.1; R5",
+        about="rules",
+        profile=THESIS,
+        premises=(),
+        expected=PROVED,
+        obligations=ONE_RULE,
+    ),
+    Claim(
+        id="claim/world-is-lawful",
+        family="reference",
+        sentence="The reference world keeps the laws that the contracts take for granted of a world.",
+        source="4.3.1, 6.1.3; R7, R14",
+        about="world",
+        profile=THESIS,
+        premises=(KEPT, LONG),
+        expected=BOUNDED,
+        obligations=LAWS,
+    ),
+    Claim(
+        id="claim/whole-rows",
+        family="reference",
+        sentence="Requests of whole small rows, run without contracts from beginning to end, keep every invariant.",
+        source="6.2.1; R5, R20",
+        about="invariants",
+        profile=THESIS,
+        premises=(KEPT, LONG, FREE),
+        expected=BOUNDED,
+        obligations=WHOLE_ROWS,
+    ),
+    counted(
+        "queries-of-a-push",
+        "push",
+        "Pushing k bodies on one edge costs k + 1 collision queries, whatever else is in the level.",
+        "7.1.1, 6.2.1; E4, E5, O5",
+        counts.queries_of_a_push,
+    ),
+    counted(
+        "queries-at-transitions",
+        "clearance",
+        "A request looks once on each edge that its front border moves on, so the edge after it is looked at twice.",
+        "6.2.1, 7.1.1; E13",
+        counts.queries_at_transitions,
+    ),
+    counted(
+        "walls-reached-exactly",
+        "walk/wall",
+        "A body that meets a wall stands exactly at the end of its edge, in floats too.",
+        "6.2.1b; R19",
+        counts.walls_are_reached,
+    ),
+    counted(
+        "every-rule-fires",
+        "rules",
+        "Every rule fires in a scenario of the library.",
+        "6.2.1; R5",
+        counts.every_rule_fires,
+    ),
+    refuted(
+        "no-overlap-on-short-edges",
+        NO_OVERLAP.id,
+        "The margin is kept however short the edges are.",
+        "6.2.1; A12",
+        (KEPT,),
+        errata.margin_with_short_edges,
+    ),
+    refuted(
+        "additive-on-any-ring",
+        ADDITIVE.id,
+        "On a ring, two requests do what one of their sum does, whatever the distance.",
+        "4.2; A7",
+        (KEPT, LONG),
+        errata.additive_on_any_ring,
+    ),
+    refuted(
+        "neighbours-not-twice",
+        "push",
+        "The list of left and right neighbours does not contain a body twice.",
+        "4.2; E11",
+        (KEPT, LONG),
+        errata.neighbours_are_two,
+    ),
+    refuted(
+        "loops-only-on-a-full-circle",
+        "push/limit",
+        "A chain of requests comes round to its mover only on a circle fully filled with bodies.",
+        "4.2; E11, R31",
+        (KEPT, LONG),
+        errata.loops_only_on_a_full_circle,
+    ),
+    refuted(
+        "constant-speed-in-contact",
+        "reading/touching-characters",
+        "Two characters under one key move at constant speed, also while they touch.",
+        "1.1; R1, A53",
+        (KEPT, LONG),
+        errata.one_step_a_tick,
+    ),
+)

@@ -1,0 +1,173 @@
+"""The command line. It imports what a command needs when the command runs, so that help comes at once."""
+
+from __future__ import annotations
+
+import json
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, NoReturn, Optional
+
+import typer
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from properties.claims.claim import Claim
+    from properties.evidence.settle import Settled
+    from reference.play import Played
+
+app = typer.Typer(
+    help="Graph-based 2D character movement: check its specification, play it, look it up.",
+    add_completion=False,
+    rich_markup_mode=None,
+    pretty_exceptions_enable=False,
+    no_args_is_help=True,
+)
+
+BUILD = Path("build")
+
+
+def refuse(message: str) -> NoReturn:
+    """Bad input: one line, exit status 2."""
+    print(f"graphbody: {message}", file=sys.stderr)
+    raise typer.Exit(2)
+
+
+@app.command()
+def check(
+    claim: Annotated[Optional[str], typer.Argument(help="A claim's ID; all claims if left out.")] = None,
+) -> None:
+    """Settle claims: prove, test or refute them. Exit status 1 if a verdict is not the expected one."""
+    from rich.console import Console
+
+    from properties.report import show_surprises, show_table, write_results
+
+    claims = chosen_claims(claim)
+    settled = settle_all(claims)
+    console = Console(width=None if sys.stdout.isatty() else 120)
+    show_table(settled, console)
+    if claim is None:
+        write_results(settled, BUILD / "results.json")
+        console.print(f"\n{len(settled)} claims; results in {BUILD / 'results.json'}", markup=False)
+    show_surprises(settled, console)
+    if not all(one.as_expected for one in settled):
+        raise typer.Exit(1)
+
+
+def chosen_claims(name: str | None) -> Sequence[Claim]:
+    """The claim of that name, or all."""
+    from properties.claims.string import CLAIMS
+
+    if name is None:
+        return CLAIMS
+    from properties.claims.claim import Claim
+    from properties.explain import UnknownID, find
+
+    try:
+        found = find(name)
+    except UnknownID as error:
+        refuse(error.args[0])
+    if not isinstance(found, Claim):
+        refuse(
+            f"{found.id} is a {found.kind}, not a claim; `graphbody explain {found.id}` says which claims it is in"
+        )
+    return [found]
+
+
+def settle_all(claims: Sequence[Claim]) -> list[Settled]:
+    """Run the evidence of claims in processes, with progress on a terminal."""
+    from rich.console import Console
+    from rich.progress import Progress
+
+    from properties.evidence.settle import processes, run, settle
+
+    with Progress(console=Console(stderr=True), transient=True, disable=not sys.stderr.isatty()) as progress:
+        task = progress.add_task("evidence", total=None)
+        executor = processes()
+        try:
+            showings = run(
+                claims, executor, lambda done, total: progress.update(task, completed=done, total=total)
+            )
+        except KeyboardInterrupt:
+            executor.shutdown(wait=False, cancel_futures=True)
+            print("graphbody: interrupted; nothing was written", file=sys.stderr)
+            raise typer.Exit(130) from None
+        executor.shutdown()
+    return [settle(claim, showings, BUILD / "witnesses") for claim in claims]
+
+
+@app.command()
+def simulate(
+    scenario: Annotated[Path, typer.Argument(help="A scenario file.")],
+    floats: Annotated[
+        bool, typer.Option("--floats", help="In binary floating point, as a game would.")
+    ] = False,
+    as_json: Annotated[bool, typer.Option("--json", help="One JSON line per step.")] = False,
+) -> None:
+    """Play a scenario, step by step, with the rules that fired."""
+    from properties.trace import json_line, text_lines
+    from reference.formats import FormatError
+    from reference.play import play
+
+    try:
+        record, game, played = play(scenario, floats)
+    except FormatError as error:
+        refuse(str(error))
+    if not as_json:
+        print(f"{record.name}: {record.note}" if record.note else record.name)
+        for line in text_lines(None, tuple(game.row.bodies)):
+            print(line)
+    for step in played:
+        if as_json:
+            print(json_line(step))
+        else:
+            print(*text_lines(step, step.bodies), sep="\n")
+
+
+@app.command()
+def explain(name: Annotated[str, typer.Argument(metavar="ID", help="An ID, as in push/request.")]) -> None:
+    """Say what an ID stands for: sentence, source, guard, effect, claims, and a scenario in which it fires."""
+    from properties.explain import UnknownID, find
+    from properties.explain import explain as lines
+
+    try:
+        statement = find(name)
+    except UnknownID as error:
+        refuse(error.args[0])
+    print(*lines(statement), sep="\n")
+
+
+@app.command(name="list")
+def list_all(as_json: Annotated[bool, typer.Option("--json", help="As a JSON array.")] = False) -> None:
+    """List every rule, invariant, condition, reading and claim."""
+    from properties.explain import everything
+
+    table = everything()
+    if as_json:
+        fields = ("id", "kind", "sentence", "source")
+        print(json.dumps([{field: getattr(s, field) for field in fields} for s in table.values()], indent=2))
+        return
+    width = max(map(len, table))
+    for statement in table.values():
+        print(f"{statement.id:<{width}}  {statement.kind:<9}  {statement.sentence}")
+
+
+@app.command()
+def mutants() -> None:
+    """Change the rules' source in one place at a time; each change must be caught by some evidence."""
+    from properties.evidence.mutate import fates
+
+    survivors = total = 0
+    for fate in fates():
+        total += 1
+        survivors += fate.caught_by is None
+        verdict = f"caught by {fate.caught_by}" if fate.caught_by else f"SURVIVES {fate.trouble}"
+        print(f"{fate.mutant.chapter}: {fate.mutant.change}\n    {verdict}", flush=True)
+    print(f"{total} mutants, {total - survivors} caught, {survivors} survive")
+    if survivors or not total:
+        raise typer.Exit(1)
+
+
+def main() -> None:
+    """Run the command line."""
+    app()

@@ -1,0 +1,124 @@
+"""Property testing: every invariant on random rows, on exact numbers and on floats, with statistics.
+
+The seed is fixed, so that a run can be repeated. The shares of requests that do something of interest are
+counted, and a campaign whose inputs are too tame counts for nothing.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from dataclasses import dataclass, field
+from fractions import Fraction
+from typing import Any
+
+from hypothesis import HealthCheck, Phase, given, seed, settings
+
+from properties.evidence.deeds import do
+from properties.evidence.relations import RELATIONS, row_of_floats
+from properties.strategies.rows import Trial, trials
+from reference.row import Row, row_of
+from spec.invariants import OF_ONE_REQUEST
+from spec.profiles import Profile
+from spec.rule import GuardError
+
+FLOAT_TOLERANCE = 1e-9
+SEED = 20200315
+EXAMPLES = 400
+ONE_RULE = "rules/one-applies"
+FLOORS = {
+    "pushes": 0.2,
+    "meets a wall": 0.05,
+    "crosses an edge": 0.2,
+    "meets the push limit": 0.02,
+    "on a ring": 0.2,
+    "a row in contact": 0.2,
+    "a border at a vertex": 0.2,
+}
+
+
+class Broken(AssertionError):
+    """A property fails on a trial."""
+
+    def __init__(self, property_id: str, trial: Trial) -> None:
+        """Name the property and the trial."""
+        super().__init__(f"{property_id} fails for {trial}")
+        self.property_id = property_id
+        self.trial = trial
+
+
+@dataclass
+class Campaign:
+    """What a run of property tests showed: cases, shares of interest, and the simplest failure of each property."""
+
+    cases: int = 0
+    shares: Counter[str] = field(default_factory=Counter)
+    failures: dict[str, Trial] = field(default_factory=dict)
+
+    @property
+    def tame(self) -> list[str]:
+        """The shares that do not reach their floor."""
+        return [name for name, floor in FLOORS.items() if self.shares[name] < floor * self.cases]
+
+
+def failing(profile: Profile, trial: Trial, row: Row[Any], tolerance: Any, shares: Counter[str]) -> list[str]:
+    """The properties that fail on a trial, in exact numbers or floats."""
+    asked = trial.asked + row.margin * 0
+    try:
+        deed, record = do(profile, row, trial.body, trial.direction, asked, tolerance)
+        shares.update(features(row, {rule for _, rule in record.fired}))
+        broken = [invariant.id for invariant in OF_ONE_REQUEST if not invariant.holds(deed)]
+        return broken + [check.id for check in RELATIONS if not check.holds(profile, trial, row, tolerance)]
+    except GuardError:
+        return [ONE_RULE]
+
+
+def features(row: Row[Any], fired: set[str]) -> list[str]:
+    """What of interest there is in a row and in the rules that fired on it."""
+    found = {
+        "pushes": "push/request" in fired,
+        "meets a wall": "walk/wall" in fired,
+        "crosses an edge": "walk/onward" in fired,
+        "meets the push limit": "push/limit" in fired,
+        "on a ring": row.closed,
+        "a row in contact": any(row.clear(*pair) == row.margin for pair in row.neighbours()),
+        "a border at a vertex": any(min(row.off_graph(body)) == 0 for body in row.bodies_in_order()),
+    }
+    return [name for name, there in found.items() if there]
+
+
+def campaign(profile: Profile, floats: bool, examples: int = EXAMPLES) -> Campaign:
+    """Try every property on random trials; after a failure go on without the property that failed."""
+    result = Campaign()
+    while (failure := first_failure(profile, floats, examples, result)) is not None:
+        result.failures[failure.property_id] = failure.trial
+    return result
+
+
+def first_failure(profile: Profile, floats: bool, examples: int, result: Campaign) -> Broken | None:
+    """Run the trials until a property fails that has not failed before; return its simplest failure."""
+    result.cases, result.shares = 0, Counter()
+
+    @seed(SEED)
+    @settings(
+        max_examples=examples,
+        database=None,
+        deadline=None,
+        phases=(Phase.generate, Phase.shrink),
+        suppress_health_check=list(HealthCheck),
+        report_multiple_bugs=False,
+        print_blob=False,
+    )
+    @given(trials())
+    def every_property_holds(trial: Trial) -> None:
+        row: Row[Any] = row_of_floats(trial.level) if floats else row_of(trial.level)
+        tolerance: Any = FLOAT_TOLERANCE if floats else Fraction(0)
+        result.cases += 1
+        for property_id in failing(profile, trial, row, tolerance, result.shares):
+            if property_id not in result.failures:
+                raise Broken(property_id, trial)
+
+    try:
+        every_property_holds()
+    except Broken as broken:
+        return broken
+    return None

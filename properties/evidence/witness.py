@@ -1,0 +1,62 @@
+"""Witnesses: counterexamples of refuted claims as scenarios, in exact numbers, that the simulator replays."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+from properties.claims.claim import Claim, Erratum
+from properties.contracts.errata import Stage
+from properties.engine.explore import Outcome, explore
+from properties.given import Exact, Given
+from reference.formats import (
+    RequestRecord,
+    ScenarioRecord,
+    StepRecord,
+    TickRecord,
+    level_record,
+    number_text,
+    write,
+)
+from spec.profiles import Profile
+
+
+def refute(profile: Profile, erratum: Erratum) -> Outcome:
+    """Search for values that break a promise, in all worlds of its shape."""
+
+    def program(given: Given) -> None:
+        erratum(profile, given, Stage())
+
+    return explore(program)
+
+
+def scenario(claim: Claim, values: dict[str, Fraction | bool]) -> ScenarioRecord:
+    """The scenario in which values break the promise of a claim."""
+    assert claim.erratum is not None
+    stage = Stage()
+    claim.erratum(claim.profile, Exact(values), stage)
+    assert stage.level is not None
+    name = claim.id.removeprefix("claim/")
+    return ScenarioRecord(
+        format="graphbody/scenario@1",
+        name=name,
+        note=f"A witness against: {claim.sentence}",
+        level=level_record(stage.level, name),
+        profile=claim.profile.name,
+        steps=[step_record(step) for step in stage.steps],
+    )
+
+
+def step_record(step: tuple[str, Any] | None) -> StepRecord:
+    """A step of a stage as it stands in a file."""
+    if step is None:
+        return StepRecord(tick=TickRecord(key="right"))
+    return StepRecord(request=RequestRecord(step[0], number_text(step[1])))
+
+
+def write_witness(claim: Claim, values: dict[str, Fraction | bool], directory: Path) -> Path:
+    """Write the witness of a claim; return its path."""
+    path = directory / f"{claim.id.removeprefix('claim/')}.json"
+    write(path, scenario(claim, values))
+    return path

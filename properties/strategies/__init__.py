@@ -1,0 +1,1 @@
+"""Random levels and requests, with a liking for boundaries."""

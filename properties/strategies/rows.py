@@ -1,0 +1,104 @@
+"""Random rows: open strings and rings, edges of any length, bodies in contact, borders exactly on boundaries."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+
+from hypothesis import strategies as st
+
+from properties.worlds.rows import located
+from spec.body import Body, Level
+from spec.graph import Direction, Graph, Vertex, polyline
+
+GRID = 8
+MARGINS = tuple(Fraction(n, GRID) for n in (1, 2, 4))
+
+
+@dataclass(frozen=True)
+class Trial:
+    """A level, and a request of one of its bodies (by its place in the row) to move in a direction."""
+
+    level: Level[Fraction]
+    body: int
+    direction: Direction
+    asked: Fraction
+
+
+def eighths(most: int) -> st.SearchStrategy[Fraction]:
+    """Multiples of one eighth from 0, small ones first."""
+    return st.integers(0, most * GRID).map(lambda n: Fraction(n, GRID))
+
+
+@st.composite
+def spaces(draw: st.DrawFn, margin: Fraction, count: int) -> list[Fraction]:
+    """Room between neighbours beyond the margin: none, a little or much."""
+    room = st.one_of(st.just(Fraction(0)), eighths(1), eighths(4))
+    return [margin + draw(room) for _ in range(count)]
+
+
+@st.composite
+def lengths_of_edges(
+    draw: st.DrawFn, total: Fraction, margin: Fraction, borders: list[Fraction]
+) -> list[Fraction]:
+    """Cut a string into edges no shorter than the margin, some of them exactly where a border stands."""
+    cuts = draw(st.lists(st.one_of(st.sampled_from([*borders, total]), eighths(int(total) + 1)), max_size=5))
+    kept, last = [], Fraction(0)
+    for cut in sorted(set(cuts)):
+        if cut - last >= margin and total - cut >= margin:
+            kept.append(cut - last)
+            last = cut
+    return [*kept, total - last]
+
+
+def ground(lengths: list[Fraction], closed: bool) -> Graph[Fraction]:
+    """Level ground of edges end to end."""
+    along, vertices = Fraction(0), [Vertex(Fraction(0), Fraction(0))]
+    for length in lengths:
+        along += length
+        vertices.append(Vertex(along, Fraction(0)))
+    return polyline(vertices[:-1], along) if closed else polyline(vertices)
+
+
+@st.composite
+def levels(draw: st.DrawFn, most_bodies: int = 6) -> Level[Fraction]:
+    """A valid level: a string of edges no shorter than the margin, with its bodies in the level's order."""
+    margin, count, closed = (
+        draw(st.sampled_from(MARGINS)),
+        draw(st.integers(1, most_bodies)),
+        draw(st.booleans()),
+    )
+    widths = [Fraction(1, GRID) + draw(eighths(2)) for _ in range(count)]
+    start = draw(st.one_of(st.just(Fraction(0)), eighths(3)))
+    gaps = draw(spaces(margin, count))
+    lefts = [start + sum(widths[:i]) + sum(gaps[:i]) for i in range(count)]
+    held = [(left, left + width) for left, width in zip(lefts, widths, strict=True)]
+    end = held[-1][1]
+    total = end - start + gaps[-1] if closed else end + draw(st.one_of(st.just(Fraction(0)), eighths(6)))
+    borders = [border for pair in held for border in pair if border < total]
+    lengths = draw(lengths_of_edges(total, margin, borders))
+    round_ = [(left % total, right % total) for left, right in held] if closed else held
+    speeds = [Fraction(draw(st.sampled_from((0, 0, 5, 50)))) for _ in held]
+    bodies = [
+        Body(chr(65 + i), located(lengths, left, closed), located(lengths, right, closed), speeds[i])
+        for i, (left, right) in enumerate(round_)
+    ]
+    return Level(ground(lengths, closed), margin, Fraction(1, 50), tuple(draw(st.permutations(bodies))))
+
+
+@st.composite
+def trials(draw: st.DrawFn) -> Trial:
+    """A level and a request, often by exactly the free room, to exactly a wall or to exactly a vertex.
+
+    On a ring the distance is at most once round, and half round for a body alone on it.
+    """
+    level = draw(levels())
+    body = draw(st.integers(0, len(level.bodies) - 1))
+    direction = draw(st.sampled_from(Direction))
+    lengths = [edge.length for edge in level.graph.edges]
+    sizes = [Fraction(0), level.margin, *lengths, *(edge.length / 2 for edge in level.graph.edges)]
+    asked = draw(st.one_of(eighths(6), st.sampled_from(sizes), eighths(24)))
+    total = sum(lengths, Fraction(0))
+    if level.graph.circumference is not None:
+        asked = min(asked, total / 2 if len(level.bodies) == 1 else total)
+    return Trial(level, body, direction, asked)

@@ -1,0 +1,52 @@
+"""The registry: every statement of the spec under its ID, put together from the chapters."""
+
+from __future__ import annotations
+
+from typing import Protocol
+
+from spec.conditions import CONDITIONS
+from spec.invariants import OF_ONE_REQUEST, RELATIONS
+from spec.profiles import PROFILES, Profile
+from spec.readings import READINGS
+from spec.rule import AnyRule, Family
+
+
+class Statement(Protocol):
+    """Whatever has an ID: it says one thing, in one sentence, from a source."""
+
+    @property
+    def id(self) -> str:
+        """The immutable ID, as in `push/request`."""
+
+    @property
+    def kind(self) -> str:
+        """What it is: a rule, an invariant, a condition, a reading or a claim."""
+
+    @property
+    def sentence(self) -> str:
+        """The normative sentence."""
+
+    @property
+    def source(self) -> str:
+        """Sections of the thesis; rows of its register."""
+
+
+def rules_of(profile: Profile) -> list[AnyRule]:
+    """The rules of a profile, chapter by chapter."""
+    families = (getattr(profile.rules, name) for name in ("clearance", "push", "contact", "walk", "follow"))
+    return [rule for family in families if isinstance(family, Family) for rule in family.rules]
+
+
+def statements() -> dict[str, Statement]:
+    """Every statement of the spec by its ID.
+
+    Raises:
+        ValueError: if two statements have the same ID.
+    """
+    rules = [rule for profile in PROFILES.values() for rule in rules_of(profile)]
+    everything: list[Statement] = [*rules, *OF_ONE_REQUEST, *RELATIONS, *CONDITIONS, *READINGS]
+    table: dict[str, Statement] = {}
+    for statement in everything:
+        if table.setdefault(statement.id, statement) is not statement:
+            raise ValueError(f"two statements have the ID {statement.id}")
+    return table
