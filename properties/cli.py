@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import sys
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, NoReturn, Optional
+from typing import TYPE_CHECKING, Annotated, NoReturn
 
 import typer
 
@@ -14,7 +14,6 @@ if TYPE_CHECKING:
 
     from properties.claims.claim import Claim
     from properties.evidence.settle import Settled
-    from reference.play import Played
 
 app = typer.Typer(
     help="Graph-based 2D character movement: check its specification, play it, look it up.",
@@ -35,7 +34,7 @@ def refuse(message: str) -> NoReturn:
 
 @app.command()
 def check(
-    claim: Annotated[Optional[str], typer.Argument(help="A claim's ID; all claims if left out.")] = None,
+    claim: Annotated[str | None, typer.Argument(help="A claim's ID; all claims if left out.")] = None,
 ) -> None:
     """Settle claims: prove, test or refute them. Exit status 1 if a verdict is not the expected one."""
     from rich.console import Console
@@ -68,9 +67,7 @@ def chosen_claims(name: str | None) -> Sequence[Claim]:
     except UnknownID as error:
         refuse(error.args[0])
     if not isinstance(found, Claim):
-        refuse(
-            f"{found.id} is a {found.kind}, not a claim; `graphbody explain {found.id}` says which claims it is in"
-        )
+        refuse(f"{found.id} is a {found.kind}, not a claim; `graphbody explain {found.id}` says which claims it is in")
     return [found]
 
 
@@ -85,9 +82,7 @@ def settle_all(claims: Sequence[Claim]) -> list[Settled]:
         task = progress.add_task("evidence", total=None)
         executor = processes()
         try:
-            showings = run(
-                claims, executor, lambda done, total: progress.update(task, completed=done, total=total)
-            )
+            showings = run(claims, executor, lambda done, total: progress.update(task, completed=done, total=total))
         except KeyboardInterrupt:
             executor.shutdown(wait=False, cancel_futures=True)
             print("graphbody: interrupted; nothing was written", file=sys.stderr)
@@ -99,9 +94,7 @@ def settle_all(claims: Sequence[Claim]) -> list[Settled]:
 @app.command()
 def simulate(
     scenario: Annotated[Path, typer.Argument(help="A scenario file.")],
-    floats: Annotated[
-        bool, typer.Option("--floats", help="In binary floating point, as a game would.")
-    ] = False,
+    floats: Annotated[bool, typer.Option("--floats", help="In binary floating point, as a game would.")] = False,
     as_json: Annotated[bool, typer.Option("--json", help="One JSON line per step.")] = False,
 ) -> None:
     """Play a scenario, step by step, with the rules that fired."""
@@ -127,8 +120,7 @@ def simulate(
 @app.command()
 def explain(name: Annotated[str, typer.Argument(metavar="ID", help="An ID, as in push/request.")]) -> None:
     """Say what an ID stands for: sentence, source, guard, effect, claims, and a scenario in which it fires."""
-    from properties.explain import UnknownID, find
-    from properties.explain import explain as lines
+    from properties.explain import UnknownID, explain as lines, find
 
     try:
         statement = find(name)

@@ -7,6 +7,7 @@ what that exceeds the rooms before it.
 
 from __future__ import annotations
 
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -22,7 +23,7 @@ def displacements(row: Row[Any], body: int, direction: Direction, asked: Any, li
         assert ahead is not None
         chain.append(ahead)
     beyond = row.beside(chain[-1], direction)
-    pairs = [*zip(chain, chain[1:], strict=False)] + ([] if beyond is None else [(chain[-1], beyond)])
+    pairs = [*pairwise(chain)] + ([] if beyond is None else [(chain[-1], beyond)])
     gaps = [row.clear(*(pair if direction is Direction.RIGHT else pair[::-1])) for pair in pairs]
     rooms = np.array([gap - row.margin for gap in gaps], dtype=object)
     used = np.concatenate([[asked * 0], np.cumsum(rooms)])

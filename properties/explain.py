@@ -86,7 +86,8 @@ def firing(rule: str) -> Iterator[str]:
                     found.append((len(event.fired), path, scenario.name, number, event, bodies[0]))
     if found:
         _, path, name, number, event, body = min(found, key=lambda entry: entry[0])
-        yield f"  fires in scenario {name}, step {number}: {event.body} asked {event.distance}, moved {event.moved}; for {body}"
+        asked = f"{event.body} asked {event.distance}, moved {event.moved}"
+        yield f"  fires in scenario {name}, step {number} ({asked}), for {body}"
         yield f"  replay: graphbody simulate {relpath(path)}"
 
 

@@ -12,7 +12,7 @@ from rich.console import Console
 from rich.table import Table
 
 from properties.evidence.sample import SEED
-from properties.evidence.settle import Settled
+from properties.evidence.settle import Job, Settled, Showing
 
 COLOURS = {"proved": "green", "bounded": "cyan", "tested": "cyan", "refuted": "yellow", "unknown": "red"}
 
@@ -102,13 +102,24 @@ def show_table(settled: Sequence[Settled], console: Console) -> None:
     console.print(table)
 
 
+def show_effort(showings: dict[Job, Showing], console: Console) -> None:
+    """Print what the random trials were like, and what the solver cost."""
+    for job, showing in showings.items():
+        if showing.shares:
+            kind = "floats" if job[-1] == "True" else "exact numbers"
+            shares = ", ".join(
+                f"{name} {100 * share:.0f} % ({100 * low:.0f})" for name, (share, low) in showing.shares.items()
+            )
+            console.print(f"\n{showing.cases} random rows in {kind}, shares (and floors): {shares}", markup=False)
+    solved = [showing.seconds for showing in showings.values() if showing.engine == "z3"]
+    console.print(f"\n{len(solved)} explorations with z3: {sum(solved):.1f} s; evidence is shared between claims")
+
+
 def show_surprises(settled: Sequence[Settled], console: Console) -> None:
     """Print, for each claim whose verdict is not the expected one, why."""
     for one in settled:
         if not one.as_expected:
-            console.print(
-                f"\n{one.claim.id}: expected {one.claim.expected}, got {one.verdict}", style="bold red"
-            )
+            console.print(f"\n{one.claim.id}: expected {one.claim.expected}, got {one.verdict}", style="bold red")
             console.print(f"  {one.claim.sentence}", markup=False)
             for reason in one.reasons:
                 console.print(f"  {reason}", markup=False)

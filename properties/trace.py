@@ -43,8 +43,7 @@ def json_line(step: Played[Any]) -> str:
                 for event in step.events
             ],
             "bodies": [
-                {"name": body.name, "left": border(body.left), "right": border(body.right)}
-                for body in step.bodies
+                {"name": body.name, "left": border(body.left), "right": border(body.right)} for body in step.bodies
             ],
         }
     )

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import re
 from fractions import Fraction
+from itertools import pairwise
 from pathlib import Path
 from typing import Literal, TypeVar
 
@@ -146,9 +147,7 @@ def level_of(record: LevelRecord, place: str = "$") -> Level[Fraction]:
         LevelError: if a number, a name or an edge is not as it must be.
     """
     if len(record.bodies) > MOST_BODIES:
-        raise LevelError(
-            f"{place}.bodies", f"expected at most {MOST_BODIES} bodies, got {len(record.bodies)}"
-        )
+        raise LevelError(f"{place}.bodies", f"expected at most {MOST_BODIES} bodies, got {len(record.bodies)}")
     vertices = [
         Vertex(exact(x, f"{place}.vertices[{i}][0]"), exact(y, f"{place}.vertices[{i}][1]"))
         for i, (x, y) in enumerate(record.vertices)
@@ -173,13 +172,11 @@ def level_of(record: LevelRecord, place: str = "$") -> Level[Fraction]:
 
 def check_left_to_right(vertices: list[Vertex[Fraction]], circumference: Fraction | None, place: str) -> None:
     """Refuse vertices that do not go from left to right, once round at most (A58)."""
-    for i, (left, right) in enumerate(zip(vertices, vertices[1:], strict=False)):
+    for i, (left, right) in enumerate(pairwise(vertices)):
         if right.x < left.x:
             raise LevelError(f"{place}.vertices[{i + 1}]", f"expected x of {left.x} or more, got {right.x}")
     if circumference is not None and vertices[-1].x - vertices[0].x >= circumference:
-        raise LevelError(
-            f"{place}.circumference", "expected more than the distance of the first and last vertex"
-        )
+        raise LevelError(f"{place}.circumference", "expected more than the distance of the first and last vertex")
 
 
 def body_of(record: BodyRecord, place: str) -> Body[Fraction]:

@@ -40,16 +40,10 @@ def string_of(graph: Graph[N]) -> list[int]:
     """
     for index, edge in enumerate(graph.edges):
         if edge.type is not EdgeType.GROUND:
-            raise LevelError(
-                f"$.vertices[{edge.left}]", f"edge {index} is steeper than 60 degrees: no ground"
-            )
+            raise LevelError(f"$.vertices[{edge.left}]", f"edge {index} is steeper than 60 degrees: no ground")
         if len(graph.look_up(edge.right, Direction.RIGHT, EdgeType.GROUND)) > 1:
             raise LevelError(f"$.vertices[{edge.right}]", "two ground edges leave it in one direction (A41)")
-    starts = [
-        i
-        for i, edge in enumerate(graph.edges)
-        if not graph.look_up(edge.left, Direction.LEFT, EdgeType.GROUND)
-    ]
+    starts = [i for i, edge in enumerate(graph.edges) if not graph.look_up(edge.left, Direction.LEFT, EdgeType.GROUND)]
     string = starts[:1] or [0]
     while following := graph.look_up(graph.edges[string[-1]].right, Direction.RIGHT, EdgeType.GROUND):
         if following[0] == string[0]:
@@ -77,7 +71,7 @@ class Row(Generic[N]):
 
     def __post_init__(self) -> None:
         """Lay the edges end to end."""
-        self.offsets: list[N] = list(edge.length for edge in self.graph.edges)
+        self.offsets: list[N] = [edge.length for edge in self.graph.edges]
         total = zero_like(self.margin)
         for index in string_of(self.graph):
             self.offsets[index] = total
@@ -228,11 +222,7 @@ class Facing(Generic[N]):
     def gap(self, front: EdgePosition[N], other: int) -> N:
         """Distance to the facing border of a neighbour."""
         facing = self.row.bodies[other].border(self.direction.opposite)
-        return (
-            self.row.apart(front, facing)
-            if self.direction is Direction.RIGHT
-            else self.row.apart(facing, front)
-        )
+        return self.row.apart(front, facing) if self.direction is Direction.RIGHT else self.row.apart(facing, front)
 
     def place(self, body: int, front: EdgePosition[N], rear: EdgePosition[N]) -> None:
         """Put the borders of a body."""
@@ -253,9 +243,7 @@ def check_borders(level: Level[N]) -> None:
         for side, at in (("left", body.left), ("right", body.right)):
             place = f"$.bodies[{index}].{side}"
             if not 0 <= at.edge < len(level.graph.edges):
-                raise LevelError(
-                    f"{place}.edge", f"expected 0 to {len(level.graph.edges) - 1}, got {at.edge}"
-                )
+                raise LevelError(f"{place}.edge", f"expected 0 to {len(level.graph.edges) - 1}, got {at.edge}")
             length = level.graph.edges[at.edge].length
             if not (zero <= at.location <= length):
                 raise LevelError(f"{place}.location", f"expected 0 to {length}, got {at.location}")
@@ -281,7 +269,5 @@ def row_of(level: Level[N]) -> Row[N]:
         clear = row.clear(left, right)
         if clear < level.margin:
             names = f"{row.bodies[left].name} and {row.bodies[right].name}"
-            raise LevelError(
-                places[row.bodies[right].name], f"{names} are {clear} apart, less than the margin"
-            )
+            raise LevelError(places[row.bodies[right].name], f"{names} are {clear} apart, less than the margin")
     return row

@@ -51,9 +51,7 @@ def heard(rules: Rules, record: Record) -> Rules:
     )
 
 
-def fulfil(
-    start: Ask[N, int], begin: Callable[[Ask[N, int]], Generator[Ask[N, int], N, N]], record: Record
-) -> N:
+def fulfil(start: Ask[N, int], begin: Callable[[Ask[N, int]], Generator[Ask[N, int], N, N]], record: Record) -> N:
     """Run a request and, one inside the other, those that it makes; return the distance moved.
 
     The chain is a list, not a recursion: it may be as long as the row.

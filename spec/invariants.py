@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Any, Generic
 
 from spec.graph import Direction
@@ -87,17 +88,13 @@ def terminates(deed: Deed[N]) -> Truth:
 def rigid_width(deed: Deed[N]) -> Truth:
     """No body changes its width."""
     before, after = deed.before, deed.after
-    return every(
-        equal(before.width(body), after.width(body), deed.tolerance) for body in before.bodies_in_order()
-    )
+    return every(equal(before.width(body), after.width(body), deed.tolerance) for body in before.bodies_in_order())
 
 
 def on_graph(deed: Deed[N]) -> Truth:
     """No border leaves its edge."""
     zero = zero_like(deed.asked) - deed.tolerance
-    return every(
-        slack >= zero for body in deed.after.bodies_in_order() for slack in deed.after.off_graph(body)
-    )
+    return every(slack >= zero for body in deed.after.bodies_in_order() for slack in deed.after.off_graph(body))
 
 
 def at_most_asked(deed: Deed[N]) -> Truth:
@@ -160,7 +157,7 @@ def as_far_as_possible(deed: Deed[N]) -> Truth:
     row.extend(ahead for _, ahead in chain(deed))
     row = row[: deed.limit]
     beyond = deed.before.beside(row[-1], deed.direction)
-    stopped = [in_contact(deed, behind, ahead) for behind, ahead in zip(row, row[1:], strict=False)]
+    stopped = [in_contact(deed, behind, ahead) for behind, ahead in pairwise(row)]
     if beyond is None:
         end = deed.after.to_wall(row[-1], deed.direction)
         stopped.append(end is not None and end <= deed.tolerance)
@@ -255,9 +252,7 @@ MIRROR = Relation(
     "The mirror image of a request does the mirror image of what the request does.",
     "6.1.1; A58",
 )
-EDGE_SPLIT = Relation(
-    "invariant/edge-split", "Splitting a ground edge in two changes no movement.", "6.2.1a; R18, A12"
-)
+EDGE_SPLIT = Relation("invariant/edge-split", "Splitting a ground edge in two changes no movement.", "6.2.1a; R18, A12")
 TRANSLATION = Relation(
     "invariant/translation", "Moving the whole level in its plane changes no movement.", "6.1.1; R12"
 )

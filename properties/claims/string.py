@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from functools import partial
 from typing import Any
 
 from properties.claims.claim import Claim, Count, Erratum, Obligation, Verdict
@@ -42,9 +41,7 @@ def of_rules(program: Callable[[Rules, Given], None]) -> Obligation:
     def of_profile(profile: Profile, given: Given) -> None:
         program(profile.rules, given)
 
-    return Obligation(
-        f"{program.__module__.rpartition('.')[2]}/{program.__name__.replace('_', '-')}", of_profile
-    )
+    return Obligation(f"{program.__module__.rpartition('.')[2]}/{program.__name__.replace('_', '-')}", of_profile)
 
 
 def of_rows(program: Callable[..., None], bodies: int, edges: int, closed: bool, **more: Any) -> Obligation:
@@ -94,11 +91,7 @@ MIRRORED = tuple(
 )
 SPLIT = (
     of_rows(rows.split_has_the_same_facts, 8, 1, closed=False),
-    *(
-        of_rows(rows.border_keeps_coordinate, 1, 3, closed, cut=cut)
-        for closed in (False, True)
-        for cut in range(3)
-    ),
+    *(of_rows(rows.border_keeps_coordinate, 1, 3, closed, cut=cut) for closed in (False, True) for cut in range(3)),
 )
 TRANSLATED = Obligation("rows/translation-keeps-extents", rows.translation_keeps_extents)
 
@@ -128,13 +121,9 @@ def holds(
     )
 
 
-def refuted(
-    name: str, about: str, sentence: str, source: str, premises: tuple[str, ...], erratum: Erratum
-) -> Claim:
+def refuted(name: str, about: str, sentence: str, source: str, premises: tuple[str, ...], erratum: Erratum) -> Claim:
     """A claim that is expected to be refuted by a witness."""
-    return Claim(
-        f"claim/{name}", "errata", sentence, source, about, THESIS, premises, REFUTED, erratum=erratum
-    )
+    return Claim(f"claim/{name}", "errata", sentence, source, about, THESIS, premises, REFUTED, erratum=erratum)
 
 
 def counted(name: str, about: str, sentence: str, source: str, program: Callable[[Profile], int]) -> Claim:

@@ -20,20 +20,13 @@ ONE, MARGIN = Fraction(1), Fraction(1, 8)
 def row_in_contact(bodies: int, pushed: int) -> Row[Fraction]:
     """On one long edge, a mover and `pushed` bodies in contact with it; far away, all the other bodies."""
     lefts = [i * (ONE + MARGIN) + (0 if i <= pushed else bodies) for i in range(bodies)]
-    held = [
-        Body(str(i), EdgePosition(0, left), EdgePosition(0, left + 1), ONE) for i, left in enumerate(lefts)
-    ]
+    held = [Body(str(i), EdgePosition(0, left), EdgePosition(0, left + 1), ONE) for i, left in enumerate(lefts)]
     return Row(string_graph([Fraction(4 * bodies)], None), MARGIN, held, closed=False)
 
 
 def queries_of_a_push(profile: Profile) -> int:
     """Pushing k of n bodies on one edge costs k + 1 queries, for all k < n in a range."""
-    cases = [
-        (bodies, pushed)
-        for bodies in (1, 2, 5, 20, 60, 200)
-        for pushed in (0, 1, 3, 10, 50)
-        if pushed < bodies
-    ]
+    cases = [(bodies, pushed) for bodies in (1, 2, 5, 20, 60, 200) for pushed in (0, 1, 3, 10, 50) if pushed < bodies]
     for bodies, pushed in cases:
         row = row_in_contact(bodies, pushed)
         move(profile, row, 0, Direction.RIGHT, MARGIN)

@@ -82,6 +82,4 @@ def one_step_a_tick(profile: Profile, given: Given, stage: Stage) -> None:
     game = Game(profile, level)
     game.tick(RIGHT)
     for body in held.bodies_in_order():
-        given.ensure(
-            "nobody moves further than its speed allows", game.row.travel(held, body, RIGHT) <= level.tick
-        )
+        given.ensure("nobody moves further than its speed allows", game.row.travel(held, body, RIGHT) <= level.tick)

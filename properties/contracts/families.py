@@ -38,9 +38,7 @@ def push_has_one(rules: Rules, given: Given) -> None:
 
 def contact_has_one(rules: Rules, given: Given) -> None:
     """Any stride, any room, anything granted."""
-    promise_one(
-        given, rules.contact, Answer(given.number("stride"), given.number("room"), given.number("granted"))
-    )
+    promise_one(given, rules.contact, Answer(given.number("stride"), given.number("room"), given.number("granted")))
 
 
 def walk_has_one(rules: Rules, given: Given) -> None:

@@ -23,9 +23,9 @@ from properties.worlds.window import ME, NEIGHBOUR, Capacity, Spot, Window, capa
 from spec.number import greater, lesser
 from spec.profiles import Profile
 from spec.rule import AnyRule, Chooser, Family, GuardError, Rule
+from spec.rules.push import Way
 from spec.rules.request import Ask, Rules, request
 from spec.rules.walk import Motion, Tow, walk
-from spec.rules.push import Way
 
 Grant = Callable[[Ask[Any, str]], Any]
 ONE_RULE = "rules/one-applies"
@@ -163,9 +163,7 @@ def segment_exact(rules: Rules, given: Given) -> None:
     spare, before, after = run_segment(rules, given, seen, lambda ask: lesser(ask.distance, able.neighbour))
     limit, step = able.of_me(replace(seen, granted=seen.granted * 0), spare), after.moved - before.moved
     most = before.rest if limit is None else lesser(before.rest, limit)
-    given.ensure(
-        "moves as far as possible, or is on its way there", (step <= most) & (after.going | (step == most))
-    )
+    given.ensure("moves as far as possible, or is on its way there", (step <= most) & (after.going | (step == most)))
     given.ensure("has gone all of the edge, if it goes on", (not after.going) | (step == seen.start.reach))
     bystanders_keep(given, seen, step)
 
@@ -210,9 +208,7 @@ def request_is_its_segments(rules: Rules, given: Given) -> None:
 
 def one_start(starts: list[Motion[Any, Spot]], seen: Window, distance: Any) -> Any:
     """Whether there was one motion, from the front border, with the whole distance left and none moved."""
-    return (len(starts) == 1 and starts[0].at is seen.start) and (
-        (starts[0].rest == distance) & (starts[0].moved == 0)
-    )
+    return (len(starts) == 1 and starts[0].at is seen.start) and ((starts[0].rest == distance) & (starts[0].moved == 0))
 
 
 def stand_in(effect: Callable[[Any], Any]) -> AnyRule:

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from typing import Any
 
-from properties.contracts.request import Seen
 from properties.evidence.deeds import do
 from properties.given import Given
 from properties.worlds.rows import any_level, row
@@ -42,16 +41,12 @@ def check_same_facts(given: Given, level: Level[Any], other: Level[Any], turned:
             gap, wall = facts(one.facing(direction), body)
             twin_gap, twin_wall = facts(two.facing(direction.opposite if turned else direction), twin)
             given.ensure(f"{direction.name}: the same gap ahead of body {body}", same(gap, twin_gap))
-            given.ensure(
-                f"{direction.name}: the same distance to the wall for body {body}", same(wall, twin_wall)
-            )
+            given.ensure(f"{direction.name}: the same distance to the wall for body {body}", same(wall, twin_wall))
 
 
 def translation_keeps_extents(profile: Profile, given: Given) -> None:
     """An edge between two vertices extends as far across and up as between the two moved by a vector."""
-    left, right, by = (
-        Vertex(given.number(f"{name}.x"), given.number(f"{name}.y")) for name in ("left", "right", "by")
-    )
+    left, right, by = (Vertex(given.number(f"{name}.x"), given.number(f"{name}.y")) for name in ("left", "right", "by"))
     shift = given.number("once round")
     across, up = extent(left, right, shift)
     across_after, up_after = extent(shifted(left, by), shifted(right, by), shift)
@@ -59,9 +54,7 @@ def translation_keeps_extents(profile: Profile, given: Given) -> None:
     given.ensure("as far up", up == up_after)
 
 
-def border_keeps_coordinate(
-    profile: Profile, given: Given, bodies: int, edges: int, closed: bool, cut: int
-) -> None:
+def border_keeps_coordinate(profile: Profile, given: Given, bodies: int, edges: int, closed: bool, cut: int) -> None:
     """Splitting an edge keeps the coordinate of any border, and the length of the string."""
     level = any_level(given, bodies, edges, closed)
     at = given.number("where the edge is split")
@@ -102,9 +95,7 @@ def world_is_lawful(profile: Profile, given: Given, bodies: int, edges: int, clo
 def check_laws(given: Given, view: Facing[Any], body: int) -> None:
     """Promise the laws at one border."""
     at, step = view.front(body), view.reach(view.front(body))
-    given.ensure(
-        "a border is on its edge", (step >= 0) & (view.along(at, step).location == view.end(at).location)
-    )
+    given.ensure("a border is on its edge", (step >= 0) & (view.along(at, step).location == view.end(at).location))
     onward = view.onward(at)
     other = view.row.beside(body, view.direction)
     wall = view.row.to_wall(body, view.direction)
@@ -120,9 +111,7 @@ def check_laws(given: Given, view: Facing[Any], body: int) -> None:
         given.ensure("on the last edge a body ahead is seen", view.ahead(body, at) == other)
     else:
         in_sight = view.ahead(body, at) is not None
-        given.ensure(
-            "on this edge and the next a body is seen", (gap <= step + view.reach(onward)) == in_sight
-        )
+        given.ensure("on this edge and the next a body is seen", (gap <= step + view.reach(onward)) == in_sight)
     if wall is not None:
         given.ensure("no body stands behind a wall", gap < wall)
 

@@ -37,15 +37,9 @@ class Drawn:
 
     def values(self, model: z3.ModelRef) -> dict[str, Fraction | bool]:
         """The exact values of a model, those it leaves open included."""
-        exact = {
-            name: model.eval(term, model_completion=True).as_fraction() for name, term in self.numbers.items()
-        }
-        whole = {
-            name: model.eval(term, model_completion=True).as_long() for name, term in self.naturals.items()
-        }
-        truth = {
-            name: z3.is_true(model.eval(term, model_completion=True)) for name, term in self.flags.items()
-        }
+        exact = {name: model.eval(term, model_completion=True).as_fraction() for name, term in self.numbers.items()}
+        whole = {name: model.eval(term, model_completion=True).as_long() for name, term in self.naturals.items()}
+        truth = {name: z3.is_true(model.eval(term, model_completion=True)) for name, term in self.flags.items()}
         return {name: Fraction(number) for name, number in {**exact, **whole}.items()} | truth
 
 

@@ -104,9 +104,7 @@ def changes_of(node: ast.AST) -> Iterator[str]:
     if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add | ast.Sub):
         flipped = ast.Sub() if isinstance(node.op, ast.Add) else ast.Add()
         yield from replaced(node, "op", [flipped], before)
-        yield from replaced(
-            node, "right", [ast.parse(f"({ast.unparse(node.right)}) * 0", mode="eval").body], before
-        )
+        yield from replaced(node, "right", [ast.parse(f"({ast.unparse(node.right)}) * 0", mode="eval").body], before)
     if isinstance(node, ast.Constant) and isinstance(node.value, bool):
         yield from replaced(node, "value", [not node.value], before)
     if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "lesser":

@@ -39,16 +39,13 @@ def alike(one: Row[Any], two: Row[Any], tolerance: Any) -> bool:
     """Whether two rows hold the same bodies at the same places of their strings."""
     pairs = zip(placed(one), placed(two), strict=True)
     return all(
-        a[0] == b[0] and all(near(one, x, y, tolerance) for x, y in zip(a[1:], b[1:], strict=True))
-        for a, b in pairs
+        a[0] == b[0] and all(near(one, x, y, tolerance) for x, y in zip(a[1:], b[1:], strict=True)) for a, b in pairs
     )
 
 
 def near(row: Row[Any], x: Any, y: Any, tolerance: Any) -> bool:
     """Whether two coordinates are the same place."""
-    return any(
-        equal(x, y + shift, tolerance) for shift in ([0, row.length, -row.length] if row.closed else [0])
-    )
+    return any(equal(x, y + shift, tolerance) for shift in ([0, row.length, -row.length] if row.closed else [0]))
 
 
 def after(profile: Profile, row: Row[Any], trial: Trial, *distances: Any) -> Row[Any]:
@@ -111,9 +108,7 @@ def changed(
     """The row of a changed level before and after the trial's request, made in `direction`."""
     other = in_kind(level, row)
     body = same_named(other, row.bodies[trial.body].name)
-    return other, after(
-        profile, other, replace(trial, body=body, direction=direction), trial.asked + row.margin * 0
-    )
+    return other, after(profile, other, replace(trial, body=body, direction=direction), trial.asked + row.margin * 0)
 
 
 def mirrored(profile: Profile, trial: Trial, row: Row[Any], tolerance: Any) -> bool:

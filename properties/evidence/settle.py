@@ -25,6 +25,7 @@ class Showing:
         failures: what failed, each with what shows it; empty if everything held.
         open: what could not be decided.
         cases: paths of a proof, examples of a test, worlds of a count.
+        shares: of random trials, the share that has a feature of interest, and its floor.
     """
 
     engine: str
@@ -34,6 +35,7 @@ class Showing:
     open: tuple[str, ...] = ()
     rules: frozenset[str] = frozenset()
     values: dict[str, Fraction | bool] | None = None
+    shares: dict[str, tuple[float, float]] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -94,14 +96,15 @@ def refute(claim_id: str) -> Showing:
 
 def sample(profile_name: str, floats: bool) -> Showing:
     """Test every invariant on random rows."""
-    from properties.evidence.sample import campaign
+    from properties.evidence.sample import FLOORS, campaign
     from spec.profiles import PROFILES
 
     started = time.perf_counter()
     result = campaign(PROFILES[profile_name], floats)
     failures = {name: str(trial) for name, trial in result.failures.items()}
     open_ = tuple(f"too few trials: {name}" for name in result.tame)
-    return Showing("hypothesis", time.perf_counter() - started, result.cases, failures, open_)
+    shares = {name: (result.shares[name] / result.cases, floor) for name, floor in FLOORS.items()}
+    return Showing("hypothesis", time.perf_counter() - started, result.cases, failures, open_, shares=shares)
 
 
 def count(claim_id: str, count_id: str) -> Showing:
@@ -139,9 +142,7 @@ def jobs_of(claim: Claim) -> dict[Job, Callable[[], Showing]]:
     return jobs
 
 
-def run(
-    claims: Iterable[Claim], executor: Executor, progress: Callable[[int, int], None]
-) -> dict[Job, Showing]:
+def run(claims: Iterable[Claim], executor: Executor, progress: Callable[[int, int], None]) -> dict[Job, Showing]:
     """Run all jobs of some claims, each once; `progress` is told how many are done and how many there are."""
     jobs: dict[Job, Callable[[], Showing]] = {}
     for claim in claims:

@@ -38,9 +38,7 @@ def spaces(draw: st.DrawFn, margin: Fraction, count: int) -> list[Fraction]:
 
 
 @st.composite
-def lengths_of_edges(
-    draw: st.DrawFn, total: Fraction, margin: Fraction, borders: list[Fraction]
-) -> list[Fraction]:
+def lengths_of_edges(draw: st.DrawFn, total: Fraction, margin: Fraction, borders: list[Fraction]) -> list[Fraction]:
     """Cut a string into edges no shorter than the margin, some of them exactly where a border stands."""
     cuts = draw(st.lists(st.one_of(st.sampled_from([*borders, total]), eighths(int(total) + 1)), max_size=5))
     kept, last = [], Fraction(0)

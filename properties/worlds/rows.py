@@ -57,9 +57,7 @@ def any_level(
         if index < bodies - 1:
             along = along + given.number(f"room after {chr(65 + index)}")
     given.assume(
-        along <= first + total
-        if closed and bodies > 1
-        else along - margin <= (first + total if closed else total)
+        along <= first + total if closed and bodies > 1 else along - margin <= (first + total if closed else total)
     )
     placed = tuple(
         Body(chr(65 + i), located(lengths, left, closed), located(lengths, right, closed), Fraction(speed))

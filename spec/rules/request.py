@@ -66,9 +66,7 @@ def segment(
     return walk(rules.walk, view, motion, way)
 
 
-def request(
-    rules: Rules, view: View[N, B, P], body: B, distance: N, spare: int
-) -> Generator[Ask[N, B], N, N]:
+def request(rules: Rules, view: View[N, B, P], body: B, distance: N, spare: int) -> Generator[Ask[N, B], N, N]:
     """Move `body` by up to `distance >= 0` and return the distance actually moved (6.2.1; R8, R17).
 
     The front border moves first, edge by edge, with collisions; then the rear border follows by the same

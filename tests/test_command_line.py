@@ -1,0 +1,78 @@
+"""The command line: exit status, one line for bad input, quick help."""
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+GRAPHBODY = str(Path(sys.executable).parent / "graphbody")
+SCENARIO = str(Path(__file__).parents[1] / "reference" / "scenarios" / "push-into-wall.json")
+
+
+def graphbody(*arguments, cwd):
+    """Run the command in a directory."""
+    return subprocess.run([GRAPHBODY, *arguments], cwd=cwd, capture_output=True, text=True, check=False)
+
+
+def test_one_claim_is_checked_and_nothing_else_is_written(tmp_path):
+    done = graphbody("check", "neighbours-not-twice", cwd=tmp_path)
+    assert done.returncode == 0, done.stderr
+    assert "refuted" in done.stdout
+    assert not (tmp_path / "build" / "results.json").exists()
+    replay = graphbody("simulate", "build/witnesses/neighbours-not-twice.json", cwd=tmp_path)
+    assert replay.returncode == 0, replay.stderr
+
+
+def test_simulate_prints_what_fired_and_where_everybody_is(tmp_path):
+    done = graphbody("simulate", SCENARIO, cwd=tmp_path)
+    assert done.returncode == 0
+    assert "contact/stop" in done.stdout
+
+
+@pytest.mark.parametrize("floats", [(), ("--floats",)])
+def test_simulate_writes_json_lines(tmp_path, floats):
+    done = graphbody("simulate", SCENARIO, "--json", *floats, cwd=tmp_path)
+    steps = [json.loads(line) for line in done.stdout.splitlines()]
+    assert all({"requests", "bodies"} == step.keys() for step in steps)
+    kind = float if floats else str
+    assert isinstance(steps[0]["bodies"][0]["left"]["location"], kind)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "line"),
+    [
+        (("explain", "push/requst"), "did you mean push/request"),
+        (("check", "push/request"), "is a rule, not a claim"),
+        (("check", "no-such-claim"), "no statement has the ID"),
+        (("simulate", "missing.json"), "missing.json: No such file"),
+        (("simulate", "."), "Is a directory"),
+    ],
+)
+def test_bad_input_is_one_line_and_exit_status_two(tmp_path, arguments, line):
+    done = graphbody(*arguments, cwd=tmp_path)
+    assert done.returncode == 2
+    assert line in done.stderr
+    assert len(done.stderr.strip().splitlines()) == 1
+    assert done.stdout == ""
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_everything_listed_can_be_explained(tmp_path):
+    from properties.explain import everything, explain
+
+    listed = json.loads(graphbody("list", "--json", cwd=tmp_path).stdout)
+    assert {entry["id"] for entry in listed} == everything().keys()
+    for statement in everything().values():
+        lines = list(explain(statement))
+        assert len(lines) >= 3
+        assert statement.kind != "rule" or any("graphbody simulate" in line for line in lines)
+
+
+def test_help_does_not_load_the_solver(tmp_path):
+    code = (
+        "import properties.cli, sys; print([m for m in ('z3', 'hypothesis', 'numpy', 'msgspec') if m in sys.modules])"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True, cwd=tmp_path)
+    assert done.stdout.strip() == "[]"

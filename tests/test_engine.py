@@ -1,0 +1,143 @@
+"""The engine must earn its trust: it finds what is wrong, proves what is right and admits what it cannot say."""
+
+import pytest
+import z3
+
+from properties.engine import explore as engine
+from properties.engine.explore import EngineError, explore
+from properties.given import Exact, Infeasible
+
+
+def test_a_true_promise_is_proved_on_every_path():
+    def program(given):
+        a, b = given.number("a"), given.number("b")
+        smaller = a if a <= b else b
+        given.ensure("the smaller is neither larger", (smaller <= a) & (smaller <= b))
+
+    outcome = explore(program)
+    assert outcome.proved
+    assert outcome.paths == 2
+
+
+def test_a_false_promise_is_refuted_by_simple_exact_values():
+    def program(given):
+        a, b = given.number("a"), given.number("b")
+        given.assume(a > b)
+        given.ensure("b is not 0", b > 0)
+
+    outcome = explore(program)
+    assert outcome.counterexample.values == {"a": 1, "b": 0}
+
+
+def test_a_promise_made_before_a_premise_is_judged_without_it():
+    def program(given):
+        a = given.number("a")
+        given.ensure("a is small", a < 1)
+        given.assume(a < 1)
+
+    assert explore(program).counterexample is not None
+
+
+def test_a_promise_broken_on_one_path_only_is_found():
+    def program(given):
+        a = given.number("a")
+        if (a > 3) & (a < 4):
+            given.ensure("never here", False)
+        given.ensure("always", True)
+
+    assert 3 < explore(program).counterexample.values["a"] < 4
+
+
+def test_premises_that_cannot_hold_prove_nothing():
+    def program(given):
+        a = given.number("a")
+        given.assume(a < 0)
+        given.ensure("anything", False)
+
+    outcome = explore(program)
+    assert not outcome.proved
+    assert outcome.counterexample is None
+
+
+def test_a_program_without_promises_proves_nothing():
+    assert not explore(lambda given: given.assume(given.number("a") > 0)).proved
+
+
+def test_a_program_that_is_not_the_same_when_repeated_is_refused():
+    runs = iter(range(10))
+
+    def program(given):
+        a = given.number("a")
+        if a > next(runs):
+            given.ensure("something", True)
+
+    with pytest.raises(EngineError, match="another fork"):
+        explore(program)
+
+
+def test_a_counterexample_that_does_not_replay_on_exact_numbers_is_refused():
+    def program(given):
+        given.ensure("only symbolic values break this", isinstance(given, Exact))
+
+    with pytest.raises(EngineError, match="does not replay"):
+        explore(program)
+
+
+def test_paths_that_leave_values_out_are_noticed(monkeypatch):
+    def program(given):
+        a = given.number("a")
+        given.ensure("something", (a > 1) | (a <= 1))
+        if a > 1:
+            given.ensure("more", True)
+
+    real = engine.Path.decide
+
+    def forgetful(self, formula):
+        branch = real(self, formula)
+        self.exploration.forks[-1].other_open = False
+        return branch
+
+    monkeypatch.setattr(engine.Path, "decide", forgetful)
+    with pytest.raises(EngineError, match="do not cover"):
+        explore(program)
+
+
+def test_an_answer_of_unknown_proves_nothing_and_prunes_nothing(monkeypatch):
+    def program(given):
+        a = given.number("a")
+        if a > 1:
+            given.ensure("hard to say", a > 0)
+        given.ensure("easy", True)
+
+    monkeypatch.setattr(engine.Exploration, "possible", lambda self, *formulas: None)
+    monkeypatch.setattr(engine.Exploration, "check_coverage", lambda self: None)
+    outcome = explore(program)
+    assert not outcome.proved
+    assert outcome.paths == 2
+
+
+def test_equality_of_symbolic_numbers_is_a_formula_and_not_structural():
+    def program(given):
+        a, b = given.number("a"), given.number("b")
+        given.assume(a + b == 2)
+        given.assume(a == b)
+        given.ensure("both are 1", (a == 1) & (b + 0 == 1))
+
+    assert explore(program).proved
+
+
+def test_floats_are_taken_at_their_exact_binary_value():
+    def program(given):
+        a = given.number("a")
+        given.assume(a == 0.1)
+        given.ensure("a tenth is not the float", (a < z3_tenth(a)) | (a > z3_tenth(a)))
+
+    def z3_tenth(a):
+        return type(a)(z3.Q(1, 10)) if not isinstance(a, int) and hasattr(a, "term") else 1 / 10
+
+    assert explore(program).proved
+
+
+def test_known_values_stop_where_a_premise_fails():
+    with pytest.raises(Infeasible):
+        Exact({"a": 1}).assume(False)

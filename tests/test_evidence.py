@@ -1,0 +1,167 @@
+"""The evidence itself: claims have floors, random trials are not tame, wrong rules are caught by name."""
+
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from properties.claims.claim import Verdict
+from properties.claims.string import CLAIMS
+from properties.contracts.request import judged
+from properties.engine.explore import explore
+from properties.evidence import settle as settling
+from properties.evidence.mutate import CHAPTERS, mutants
+from properties.evidence.sample import FLOORS, ONE_RULE, campaign
+from properties.evidence.witness import refute, write_witness
+from properties.explain import everything
+from reference.play import play
+from spec.conditions import CONDITIONS
+from spec.profiles import THESIS
+from spec.registry import rules_of, statements
+from spec.rule import Family
+
+PROVED, BOUNDED, TESTED, REFUTED = Verdict.PROVED, Verdict.BOUNDED, Verdict.TESTED, Verdict.REFUTED
+STRENGTH = {PROVED: 3, REFUTED: 3, BOUNDED: 2, TESTED: 1, Verdict.UNKNOWN: 0}
+
+FLOORS_OF_VERDICTS = {
+    "claim/no-overlap": PROVED,
+    "claim/order": PROVED,
+    "claim/termination": PROVED,
+    "claim/rigid-width": PROVED,
+    "claim/on-graph": PROVED,
+    "claim/at-most-asked": PROVED,
+    "claim/direction": PROVED,
+    "claim/bystanders": PROVED,
+    "claim/as-far-as-possible": PROVED,
+    "claim/closed-form": PROVED,
+    "claim/determinism": PROVED,
+    "claim/additive": PROVED,
+    "claim/mirror": BOUNDED,
+    "claim/edge-split": BOUNDED,
+    "claim/translation": PROVED,
+    "claim/one-rule-applies": PROVED,
+    "claim/world-is-lawful": BOUNDED,
+    "claim/whole-rows": BOUNDED,
+    "claim/queries-of-a-push": TESTED,
+    "claim/queries-at-transitions": TESTED,
+    "claim/walls-reached-exactly": TESTED,
+    "claim/every-rule-fires": TESTED,
+    "claim/no-overlap-on-short-edges": REFUTED,
+    "claim/additive-on-any-ring": REFUTED,
+    "claim/neighbours-not-twice": REFUTED,
+    "claim/loops-only-on-a-full-circle": REFUTED,
+    "claim/constant-speed-in-contact": REFUTED,
+}
+
+
+def test_no_claim_expects_less_than_its_floor_and_none_is_missing():
+    expected = {claim.id: claim.expected for claim in CLAIMS}
+    assert expected.keys() == FLOORS_OF_VERDICTS.keys()
+    sunk = {name for name, floor in FLOORS_OF_VERDICTS.items() if STRENGTH[expected[name]] < STRENGTH[floor]}
+    assert not sunk
+    assert {name for name, verdict in expected.items() if verdict is REFUTED} == {
+        name for name, floor in FLOORS_OF_VERDICTS.items() if floor is REFUTED
+    }
+
+
+def test_every_claim_has_evidence_and_known_premises():
+    for claim in CLAIMS:
+        assert claim.obligations or claim.counts or claim.erratum is not None, claim.id
+        assert set(claim.premises) <= {condition.id for condition in CONDITIONS}, claim.id
+        assert (claim.expected is REFUTED) == (claim.erratum is not None), claim.id
+
+
+def test_every_statement_has_its_own_speaking_id_a_sentence_and_a_source():
+    for name, statement in everything().items():
+        assert statement.id == name
+        assert "/" in name
+        assert statement.sentence.endswith(".")
+        assert statement.source
+
+
+def test_every_premise_is_assumed_by_a_claim():
+    assumed = {premise for claim in CLAIMS for premise in claim.premises}
+    assert assumed == {condition.id for condition in CONDITIONS}
+
+
+def test_the_proofs_make_every_rule_fire_but_the_tested_ones():
+    obligations = {o.id: o for claim in CLAIMS for o in claim.obligations if o.bodies is None}
+    fired = set()
+    for obligation in obligations.values():
+        fired |= explore(lambda given, o=obligation: judged(o.program, THESIS, given)).rules
+    assert fired == {rule.id for rule in rules_of(THESIS)}
+
+
+@pytest.mark.parametrize("floats", [False, True])
+def test_a_short_campaign_holds_and_is_not_tame(floats):
+    result = campaign(THESIS, floats, examples=100)
+    assert result.failures == {}
+    assert result.tame == []
+    assert set(FLOORS) <= set(result.shares)
+
+
+def test_a_campaign_names_each_property_that_fails_with_its_simplest_trial():
+    without_limit = replace(THESIS, push_limit=lambda bodies: 1)
+    careless = replace(
+        THESIS.rules,
+        clearance=Family(
+            "clearance", tuple(replace(r, effect=lambda s: s.stride) for r in THESIS.rules.clearance.rules)
+        ),
+    )
+    result = campaign(replace(without_limit, rules=careless), floats=False, examples=100)
+    assert "invariant/no-overlap" in result.failures
+    assert len(result.failures["invariant/no-overlap"].level.bodies) == 2
+
+
+def test_a_family_with_a_hole_is_named():
+    push = Family("push", THESIS.rules.push.rules[1:])
+    result = campaign(replace(THESIS, rules=replace(THESIS.rules, push=push)), floats=False, examples=50)
+    assert ONE_RULE in result.failures
+
+
+@pytest.mark.parametrize("claim", [c for c in CLAIMS if c.erratum is not None], ids=lambda c: c.id)
+def test_a_refuted_claim_has_a_witness_that_the_simulator_replays(claim, tmp_path):
+    found = refute(claim.profile, claim.erratum).counterexample
+    assert found is not None
+    path = write_witness(claim, found.values, tmp_path)
+    scenario, _, played = play(path)
+    assert len(list(played)) == len(scenario.steps) > 0
+
+
+def test_the_witness_against_short_edges_ends_nearer_than_the_margin(tmp_path):
+    claim = settling.by_id("claim/no-overlap-on-short-edges")
+    path = write_witness(claim, refute(claim.profile, claim.erratum).counterexample.values, tmp_path)
+    _, game, played = play(path)
+    assert game.row.clear(0, 1) >= game.row.margin
+    list(played)
+    assert game.row.clear(0, 1) < game.row.margin
+
+
+def test_a_failed_piece_of_evidence_makes_its_claim_refuted():
+    claim = settling.by_id("claim/no-overlap")
+    showings = {job: settling.Showing("z3", 0.0, 1) for job in settling.jobs_of(claim)}
+    assert settling.settle(claim, showings, Path("unused")).verdict is PROVED
+    job = next(iter(showings))
+    showings[job] = settling.Showing("z3", 0.0, 1, failures={"the margin is kept": "gap = 0"})
+    assert settling.settle(claim, showings, Path("unused")).verdict is REFUTED
+
+
+def test_what_is_open_makes_its_claim_unknown():
+    claim = settling.by_id("claim/order")
+    showings = {job: settling.Showing("z3", 0.0, 1, open=("budget",)) for job in settling.jobs_of(claim)}
+    assert settling.settle(claim, showings, Path("unused")).verdict is Verdict.UNKNOWN
+
+
+def test_there_are_mutants_of_every_chapter_guard_and_effect():
+    changes = mutants()
+    assert {mutant.chapter for mutant in changes} == set(CHAPTERS)
+    for rule in rules_of(THESIS):
+        for conjunct in rule.guard:
+            for way in ("drop", "negate"):
+                assert any(rule.id in m.change and f"{way} {conjunct.__name__}" in m.change for m in changes)
+        assert any(rule.id in m.change and "instead of" in m.change for m in changes) or rule.id == "follow/rear"
+    assert len({mutant.source for mutant in changes}) > 0.9 * len(changes)
+
+
+def test_statements_have_unique_ids():
+    assert len(statements()) == len({id(statement) for statement in statements().values()})

@@ -1,0 +1,122 @@
+"""Files: the library is in order, and bad input gets one line that names the place."""
+
+import json
+
+import pytest
+
+from reference.formats import FormatError, LevelRecord, level_of, level_record, read
+from reference.play import LIBRARY, library, play
+from reference.row import LevelError, row_of
+from spec.conditions import EDGES_LONG, MARGINS_KEPT
+
+LEVELS = sorted((LIBRARY / "levels").glob("*.json"))
+GOOD = {
+    "format": "graphbody/level@1",
+    "name": "good",
+    "vertices": [["0", "0"], ["10", "0"]],
+    "bodies": [
+        {"name": "A", "left": {"edge": 0, "location": "1"}, "right": {"edge": 0, "location": "2"}},
+        {"name": "B", "left": {"edge": 0, "location": "4"}, "right": {"edge": 0, "location": "5"}},
+    ],
+}
+
+
+def changed(path, value):
+    """The good level with one value changed; a path is a list of keys."""
+    level = json.loads(json.dumps(GOOD))
+    target = level
+    for key in path[:-1]:
+        target = target[key]
+    target[path[-1]] = value
+    return level
+
+
+def load(tmp_path, text):
+    """Read a level file as the command line does, up to its world."""
+    path = tmp_path / "level.json"
+    path.write_bytes(text if isinstance(text, bytes) else json.dumps(text).encode())
+    return row_of(level_of(read(path, LevelRecord)))
+
+
+def test_there_are_at_least_ten_levels_and_each_is_played():
+    assert len(LEVELS) >= 10
+    played = {read(path, object)["level"].rpartition("/")[2] for path in library()}
+    assert played == {path.name for path in LEVELS}
+
+
+@pytest.mark.parametrize("path", LEVELS, ids=lambda path: path.stem)
+def test_a_level_of_the_library_is_valid_named_after_its_file_and_survives_a_round_trip(path):
+    record = read(path, LevelRecord)
+    level = level_of(record)
+    assert record.name == path.stem
+    assert record.note
+    assert level_of(level_record(level, record.name)) == level
+    start = row_of(level)
+    assert MARGINS_KEPT.holds(start, 0)
+    assert EDGES_LONG.holds(start, 0) == (path.stem != "edges-below-margin")
+
+
+@pytest.mark.parametrize("path", library(), ids=lambda path: path.stem)
+def test_a_scenario_of_the_library_does_the_same_in_floats(path):
+    runs = [list(play(path, floats)[2]) for floats in (False, True)]
+    for exact, binary in zip(*runs, strict=True):
+        assert [e.fired for e in exact.events] == [e.fired for e in binary.events]
+        for one, two in zip(exact.bodies, binary.bodies, strict=True):
+            assert one.left.edge == two.left.edge
+            assert two.left.location == pytest.approx(float(one.left.location), abs=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("path", "value", "place"),
+    [
+        (["margin"], "0", r"\$\.margin: expected a number greater than 0"),
+        (["margin"], "nan", r"\$\.margin: expected a number"),
+        (["margin"], "1/0", r"\$\.margin: expected a finite number"),
+        (["margin"], "1" * 1000, r"\$\.margin: expected at most 100 characters"),
+        (["margin"], [], r"\$\.margin: Expected"),
+        (["surprise"], 1, r"\$: Object contains unknown field `surprise`"),
+        (["format"], "graphbody/level@9", r"\$\.format: Invalid enum value"),
+        (["vertices"], [[0, 0]], r"\$\.vertices: expected two vertices or more"),
+        (["vertices", 1], ["-1", "0"], r"\$\.vertices\[1\]: expected x of 0 or more"),
+        (["vertices", 1], ["0", "0"], r"\$\.vertices\[1\]: edge 0 has no length"),
+        (["vertices", 1], ["1", "1"], r"\$\.vertices\[0\]: edge 0 has an irrational length"),
+        (["vertices", 1], ["3", "400"], r"irrational length"),
+        (["vertices", 1], ["5", "12"], r"steeper than 60 degrees"),
+        (["circumference"], "10", r"\$\.circumference: expected more than"),
+        (["bodies", 1, "name"], "A", r"\$\.bodies\[1\]\.name: expected a name of its own"),
+        (["bodies", 1, "name"], "", r"\$\.bodies\[1\]\.name: expected a name"),
+        (["bodies", 1, "left", "edge"], 7, r"\$\.bodies\[1\]\.left\.edge: expected 0 to 0, got 7"),
+        (["bodies", 1, "left", "location"], "11", r"\$\.bodies\[1\]\.left\.location: expected 0 to 10"),
+        (["bodies", 1, "left", "location"], "5", r"\$\.bodies\[1\]: expected the left border to be left"),
+        (["bodies", 1, "left", "location"], "3/2", r"\$\.bodies\[1\]: A and B are -1/2 apart"),
+        (["bodies", 1, "speed"], "-1", r"\$\.bodies\[1\]\.speed: expected 0 or more"),
+    ],
+)
+def test_a_bad_value_is_named_with_its_place(tmp_path, path, value, place):
+    with pytest.raises((FormatError, LevelError), match=place):
+        load(tmp_path, changed(path, value))
+
+
+@pytest.mark.parametrize(
+    "text", [b"", b"{", b"\x00\xff\xfe", b"[" * 100_000, json.dumps(GOOD).encode()[:-9], b'{"vertices": [[0, 1e400]]}']
+)
+def test_what_is_not_a_level_is_refused_in_one_line(tmp_path, text):
+    with pytest.raises(FormatError) as caught:
+        load(tmp_path, text)
+    assert "\n" not in str(caught.value)
+
+
+def test_bodies_wider_than_their_ring_are_refused(tmp_path):
+    level = {**GOOD, "circumference": "20", "vertices": [["0", "0"], ["10", "0"]]}
+    level["bodies"] = [
+        {"name": "A", "left": {"edge": 0, "location": "1"}, "right": {"edge": 1, "location": "9"}},
+        {"name": "B", "left": {"edge": 0, "location": "2"}, "right": {"edge": 1, "location": "8"}},
+    ]
+    with pytest.raises(LevelError, match="wider than the ring"):
+        load(tmp_path, level)
+
+
+def test_numbers_are_read_exactly(tmp_path):
+    row = load(tmp_path, changed(["bodies", 0, "left", "location"], 0.1))
+    assert row.bodies[0].left.location == 0.1
+    assert str(row.bodies[0].left.location) != "1/10"
