@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from properties.claims.claim import Claim
-    from properties.evidence.settle import Settled
+    from properties.evidence.settle import Job, Showing
 
 app = typer.Typer(
     help="Graph-based 2D character movement: check its specification, play it, look it up.",
@@ -39,12 +39,15 @@ def check(
     """Settle claims: prove, test or refute them. Exit status 1 if a verdict is not the expected one."""
     from rich.console import Console
 
-    from properties.report import show_surprises, show_table, write_results
+    from properties.evidence.settle import settle
+    from properties.report import show_effort, show_surprises, show_table, write_results
 
     claims = chosen_claims(claim)
-    settled = settle_all(claims)
+    showings = run_all(claims)
+    settled = [settle(one, showings, BUILD / "witnesses") for one in claims]
     console = Console(width=None if sys.stdout.isatty() else 120)
     show_table(settled, console)
+    show_effort(showings, console)
     if claim is None:
         write_results(settled, BUILD / "results.json")
         console.print(f"\n{len(settled)} claims; results in {BUILD / 'results.json'}", markup=False)
@@ -71,12 +74,12 @@ def chosen_claims(name: str | None) -> Sequence[Claim]:
     return [found]
 
 
-def settle_all(claims: Sequence[Claim]) -> list[Settled]:
+def run_all(claims: Sequence[Claim]) -> dict[Job, Showing]:
     """Run the evidence of claims in processes, with progress on a terminal."""
     from rich.console import Console
     from rich.progress import Progress
 
-    from properties.evidence.settle import processes, run, settle
+    from properties.evidence.settle import processes, run
 
     with Progress(console=Console(stderr=True), transient=True, disable=not sys.stderr.isatty()) as progress:
         task = progress.add_task("evidence", total=None)
@@ -88,7 +91,7 @@ def settle_all(claims: Sequence[Claim]) -> list[Settled]:
             print("graphbody: interrupted; nothing was written", file=sys.stderr)
             raise typer.Exit(130) from None
         executor.shutdown()
-    return [settle(claim, showings, BUILD / "witnesses") for claim in claims]
+    return showings
 
 
 @app.command()
