@@ -1,4 +1,4 @@
-"""The closed form of a request on one row, in numpy: another formulation, to hold the rules against.
+"""The closed form of a request on one world, in numpy: another formulation, to hold the rules against.
 
 With `rooms` the clear distances along the chain beyond the margin, and `end` the distance from its last body to
 the wall or to what counts as one, the mover goes as far as all of that, and the body after the j-th room goes
@@ -12,21 +12,21 @@ from typing import Any
 
 import numpy as np
 
-from reference.row import Row
+from reference.world import World
 from spec.graph import Direction
 
 
-def displacements(row: Row[Any], body: int, direction: Direction, asked: Any, limit: int) -> dict[int, Any]:
-    """How far each body of the chain moves at a request, by cumulative sums over the row."""
+def displacements(world: World[Any], body: int, direction: Direction, asked: Any, limit: int) -> dict[int, Any]:
+    """How far each body of the chain moves at a request, by cumulative sums over the world."""
     chain = [body]
-    while len(chain) < limit and (ahead := row.beside(chain[-1], direction)) not in (None, body):
+    while len(chain) < limit and (ahead := world.beside(chain[-1], direction)) not in (None, body):
         assert ahead is not None
         chain.append(ahead)
-    beyond = row.beside(chain[-1], direction)
+    beyond = world.beside(chain[-1], direction)
     pairs = [*pairwise(chain)] + ([] if beyond is None else [(chain[-1], beyond)])
-    gaps = [row.clear(*(pair if direction is Direction.RIGHT else pair[::-1])) for pair in pairs]
-    rooms = np.array([gap - row.margin for gap in gaps], dtype=object)
+    gaps = [world.clear(*(pair if direction is Direction.RIGHT else pair[::-1])) for pair in pairs]
+    rooms = np.array([gap - world.margin for gap in gaps], dtype=object)
     used = np.concatenate([[asked * 0], np.cumsum(rooms)])
-    wall = row.to_wall(chain[-1], direction) if beyond is None else asked * 0
+    wall = world.to_wall(chain[-1], direction) if beyond is None else asked * 0
     most = asked if wall is None else min(asked, used[-1] + wall)
     return {held: max(most * 0, most - before) for held, before in zip(chain, used, strict=False)}

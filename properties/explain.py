@@ -9,7 +9,7 @@ from os.path import relpath
 from typing import Any
 
 from properties.claims.claim import Claim
-from properties.claims.string import CLAIMS
+from properties.claims.catalogue import CLAIMS
 from reference.play import library, play
 from spec.readings import Reading
 from spec.registry import Statement, statements

@@ -9,13 +9,13 @@ import re
 from fractions import Fraction
 from itertools import pairwise
 from pathlib import Path
-from typing import Literal, TypeVar
+from typing import Any, Literal, TypeVar
 
 import msgspec
 
-from reference.row import LevelError
+from reference.world import LevelError
 from spec.body import Body, EdgePosition, Level
-from spec.graph import Edge, Graph, IrrationalLength, Vertex, polyline
+from spec.graph import Edge, EdgeType, ExplicitEdge, Graph, IrrationalLength, NoLength, Vertex, explicit, polyline
 
 MOST_DIGITS = 100
 MOST_BODIES = 100_000
@@ -30,28 +30,46 @@ class FormatError(ValueError):
     """A file that cannot be read; the message is one line that names the place and what is expected."""
 
 
-class Record(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
+class Record(msgspec.Struct, forbid_unknown_fields=True, omit_defaults=True, frozen=True):
     """What every object in a file is: its fields and no others."""
 
 
 class Position(Record, frozen=True):
-    """An edge position: an edge's number in the order of the vertices, and a location from its left end."""
+    """An edge position: a static edge by its number or the top of a body by its name, and a location from its left."""
 
-    edge: int
     location: Number
+    edge: int | None = None
+    top: str | None = None
 
 
 class BodyRecord(Record, frozen=True):
-    """A body: its name, its two borders, and its speed (distance per second; 0 for a box)."""
+    """A body: name, borders, speed (distance per second; 0 for a box), height, and whether it may push others."""
 
     name: str
     left: Position
     right: Position
     speed: Number = "0"
+    height: Number = "1"
+    pushes: bool = True
+
+
+class EdgeRecord(Record, frozen=True):
+    """An edge of an explicit graph, from its left to its right vertex; without a type, its steepness decides it.
+
+    Under a ground edge all is solid, or down to `thickness` only.
+    """
+
+    left: int
+    right: int
+    type: Literal["ground", "fall"] | None = None
+    thickness: Number | None = None
 
 
 class LevelRecord(Record, frozen=True):
-    """A level: a list of vertices from left to right, round a cylinder if it has a circumference."""
+    """A level: vertices, joined from left to right, or as `edges` says; round a cylinder if it has a circumference.
+
+    Its goal is that a character stands on each of its buttons.
+    """
 
     format: Literal["graphbody/level@1"]
     name: str
@@ -60,6 +78,8 @@ class LevelRecord(Record, frozen=True):
     margin: Number = "1/100"
     tick: Number = "1/50"
     circumference: Number | None = None
+    edges: list[EdgeRecord] | None = None
+    buttons: list[Position] = []
     note: str = ""
 
 
@@ -135,9 +155,17 @@ def number_text(value: Fraction | float) -> Number:
     return str(value) if isinstance(value, Fraction) else value
 
 
-def position_of(record: Position, place: str) -> EdgePosition[Fraction]:
-    """An edge position with exact numbers."""
-    return EdgePosition(record.edge, exact(record.location, f"{place}.location"))
+def position_of(record: Position, tops: dict[str, int], place: str) -> EdgePosition[Fraction]:
+    """An edge position with exact numbers; `tops` are the edges of the tops of bodies, by name."""
+    if (record.edge is None) == (record.top is None):
+        raise LevelError(place, "expected either `edge` or `top`")
+    if record.top is not None and record.top not in tops:
+        raise LevelError(f"{place}.top", f"no body is named {record.top!r}")
+    if record.edge is not None and not 0 <= record.edge < (statics := min(tops.values(), default=0)):
+        raise LevelError(f"{place}.edge", f"expected 0 to {statics - 1}, got {record.edge}")
+    edge = tops[record.top] if record.top is not None else record.edge
+    assert edge is not None
+    return EdgePosition(edge, exact(record.location, f"{place}.location"))
 
 
 def level_of(record: LevelRecord, place: str = "$") -> Level[Fraction]:
@@ -148,6 +176,28 @@ def level_of(record: LevelRecord, place: str = "$") -> Level[Fraction]:
     """
     if len(record.bodies) > MOST_BODIES:
         raise LevelError(f"{place}.bodies", f"expected at most {MOST_BODIES} bodies, got {len(record.bodies)}")
+    graph = graph_of(record, place)
+    tops = tops_of(record, len(graph.edges), place)
+    bodies = tuple(body_of(body, tops, f"{place}.bodies[{i}]") for i, body in enumerate(record.bodies))
+    buttons = tuple(position_of(at, tops, f"{place}.buttons[{i}]") for i, at in enumerate(record.buttons))
+    margin, tick = exact(record.margin, f"{place}.margin"), exact(record.tick, f"{place}.tick")
+    return Level(graph, margin, tick, bodies, buttons)
+
+
+def tops_of(record: LevelRecord, statics: int, place: str) -> dict[str, int]:
+    """The edges of the tops of bodies, by the bodies' names."""
+    tops: dict[str, int] = {}
+    for i, body in enumerate(record.bodies):
+        if not body.name:
+            raise LevelError(f"{place}.bodies[{i}].name", "expected a name, got an empty one")
+        if body.name in tops:
+            raise LevelError(f"{place}.bodies[{i}].name", f"expected a name of its own, got {body.name!r} again")
+        tops[body.name] = statics + i
+    return tops
+
+
+def graph_of(record: LevelRecord, place: str) -> Graph[Fraction]:
+    """The graph of a level, joined from left to right or as its edges say (6.1.3; R30)."""
     vertices = [
         Vertex(exact(x, f"{place}.vertices[{i}][0]"), exact(y, f"{place}.vertices[{i}][1]"))
         for i, (x, y) in enumerate(record.vertices)
@@ -156,18 +206,23 @@ def level_of(record: LevelRecord, place: str = "$") -> Level[Fraction]:
     circumference = None if round_ is None else exact(round_, f"{place}.circumference")
     if len(vertices) < (2 if circumference is None else 1):
         raise LevelError(f"{place}.vertices", "expected two vertices or more (one on a cylinder)")
-    check_left_to_right(vertices, circumference, place)
     try:
-        graph = polyline(vertices, circumference)
-    except IrrationalLength as error:
-        raise LevelError(f"{place}.vertices[{error.edge}]", str(error)) from None
-    bodies = tuple(body_of(body, f"{place}.bodies[{i}]") for i, body in enumerate(record.bodies))
-    names = [body.name for body in bodies]
-    for i, name in enumerate(names):
-        if name in names[:i]:
-            raise LevelError(f"{place}.bodies[{i}].name", f"expected a name of its own, got {name!r} again")
-    margin, tick = exact(record.margin, f"{place}.margin"), exact(record.tick, f"{place}.tick")
-    return Level(graph, margin, tick, bodies)
+        if record.edges is not None:
+            return explicit([explicit_edge(edge, i, len(vertices), place) for i, edge in enumerate(record.edges)], vertices, circumference)
+        check_left_to_right(vertices, circumference, place)
+        return polyline(vertices, circumference)
+    except (IrrationalLength, NoLength) as error:
+        where = "vertices" if record.edges is None else "edges"
+        raise LevelError(f"{place}.{where}[{error.edge}]", str(error)) from None
+
+
+def explicit_edge(record: EdgeRecord, index: int, vertices: int, place: str) -> ExplicitEdge:
+    """An edge of an explicit graph with exact numbers."""
+    for side, vertex in (("left", record.left), ("right", record.right)):
+        if not 0 <= vertex < vertices:
+            raise LevelError(f"{place}.edges[{index}].{side}", f"expected 0 to {vertices - 1}, got {vertex}")
+    thickness = None if record.thickness is None else exact(record.thickness, f"{place}.edges[{index}].thickness")
+    return ExplicitEdge(record.left, record.right, None if record.type is None else EdgeType(record.type), thickness)
 
 
 def check_left_to_right(vertices: list[Vertex[Fraction]], circumference: Fraction | None, place: str) -> None:
@@ -179,34 +234,60 @@ def check_left_to_right(vertices: list[Vertex[Fraction]], circumference: Fractio
         raise LevelError(f"{place}.circumference", "expected more than the distance of the first and last vertex")
 
 
-def body_of(record: BodyRecord, place: str) -> Body[Fraction]:
+def body_of(record: BodyRecord, tops: dict[str, int], place: str) -> Body[Fraction]:
     """A body with exact numbers."""
-    if not record.name:
-        raise LevelError(f"{place}.name", "expected a name, got an empty one")
-    speed = exact(record.speed, f"{place}.speed")
+    speed, height = exact(record.speed, f"{place}.speed"), exact(record.height, f"{place}.height")
     if speed < 0:
         raise LevelError(f"{place}.speed", f"expected 0 or more, got {speed}")
-    left, right = position_of(record.left, f"{place}.left"), position_of(record.right, f"{place}.right")
-    return Body(record.name, left, right, speed)
+    left, right = position_of(record.left, tops, f"{place}.left"), position_of(record.right, tops, f"{place}.right")
+    return Body(record.name, left, right, speed, height, record.pushes)
 
 
 def level_record(level: Level[Fraction], name: str, note: str = "") -> LevelRecord:
-    """The record of a level that was made from a list of vertices."""
-    text = number_text
+    """The record of a level, its edges written out unless they are those of a list of vertices."""
+    graph, text = level.graph, number_text
+    round_ = None if graph.circumference is None else text(graph.circumference)
 
     def position(at: EdgePosition[Fraction]) -> Position:
-        return Position(at.edge, text(at.location))
+        return position_record(at, level)
 
     return LevelRecord(
         format="graphbody/level@1",
         name=name,
         note=note,
-        vertices=[(text(v.x), text(v.y)) for v in level.graph.vertices],
-        circumference=None if level.graph.circumference is None else text(level.graph.circumference),
+        vertices=[(text(v.x), text(v.y)) for v in graph.vertices],
+        edges=None if is_polyline(graph) else [edge_record(edge) for edge in graph.edges],
+        circumference=round_,
         margin=text(level.margin),
         tick=text(level.tick),
-        bodies=[BodyRecord(b.name, position(b.left), position(b.right), text(b.speed)) for b in level.bodies],
+        bodies=[
+            BodyRecord(b.name, position(b.left), position(b.right), text(b.speed), text(b.height), b.pushes)
+            for b in level.bodies
+        ],
+        buttons=[position(at) for at in level.buttons],
     )
+
+
+def position_record(at: EdgePosition[Any], level: Level[Any]) -> Position:
+    """An edge position as it stands in a file."""
+    statics = len(level.graph.edges)
+    if at.edge < statics:
+        return Position(number_text(at.location), edge=at.edge)
+    return Position(number_text(at.location), top=level.bodies[at.edge - statics].name)
+
+
+def edge_record(edge: Edge[Fraction]) -> EdgeRecord:
+    """An edge as it stands in a file."""
+    thickness = None if edge.thickness is None else number_text(edge.thickness)
+    return EdgeRecord(edge.left, edge.right, edge.type.value, thickness)
+
+
+def is_polyline(graph: Graph[Fraction]) -> bool:
+    """Whether a graph is what joining its vertices from left to right gives."""
+    try:
+        return polyline(graph.vertices, graph.circumference) == graph
+    except (IrrationalLength, NoLength):
+        return False
 
 
 def read_scenario(path: Path) -> tuple[ScenarioRecord, LevelRecord]:
@@ -227,19 +308,27 @@ def read_scenario(path: Path) -> tuple[ScenarioRecord, LevelRecord]:
 
 
 def write(path: Path, record: msgspec.Struct) -> None:
-    """Write a record as readable JSON, fields that hold their default left out."""
+    """Write a record as readable JSON, without fields that hold their default."""
     path.parent.mkdir(parents=True, exist_ok=True)
-    fields = msgspec.to_builtins(record)
-    defaults = {field.name: field.default for field in msgspec.structs.fields(record)}
-    kept = {name: value for name, value in fields.items() if value != defaults.get(name, msgspec.NODEFAULT)}
-    path.write_bytes(msgspec.json.format(msgspec.json.encode(kept), indent=2) + b"\n")
+    path.write_bytes(msgspec.json.format(msgspec.json.encode(record), indent=2) + b"\n")
 
 
 def in_floats(level: Level[Fraction]) -> Level[float]:
     """The level in binary floating point, as a game would hold it."""
     round_ = level.graph.circumference
     vertices = tuple(Vertex(float(v.x), float(v.y)) for v in level.graph.vertices)
-    edges = tuple(Edge(e.left, e.right, e.type, float(e.length)) for e in level.graph.edges)
+    edges = tuple(
+        Edge(
+            e.left,
+            e.right,
+            e.type,
+            float(e.length),
+            float(e.run),
+            float(e.rise),
+            None if e.thickness is None else float(e.thickness),
+        )
+        for e in level.graph.edges
+    )
 
     def position(at: EdgePosition[Fraction]) -> EdgePosition[float]:
         return EdgePosition(at.edge, float(at.location))
@@ -248,5 +337,9 @@ def in_floats(level: Level[Fraction]) -> Level[float]:
         Graph(vertices, edges, None if round_ is None else float(round_)),
         float(level.margin),
         float(level.tick),
-        tuple(Body(b.name, position(b.left), position(b.right), float(b.speed)) for b in level.bodies),
+        tuple(
+            Body(b.name, position(b.left), position(b.right), float(b.speed), float(b.height), b.pushes)
+            for b in level.bodies
+        ),
+        tuple(position(at) for at in level.buttons),
     )

@@ -17,7 +17,7 @@ from reference.formats import (
     level_of,
     read_scenario,
 )
-from reference.row import LevelError, row_of
+from reference.world import LevelError, world_of
 from reference.simulator import Event, Game
 from spec.body import Body
 from spec.graph import Direction
@@ -50,7 +50,7 @@ def set_up(scenario: ScenarioRecord, level: LevelRecord, floats: bool) -> Game[A
     if scenario.profile not in PROFILES:
         raise LevelError("$.profile", f"expected one of {', '.join(PROFILES)}, got {scenario.profile!r}")
     held = level_of(level)
-    row_of(held)
+    world_of(held)
     names = {body.name for body in held.bodies}
     for i, step in enumerate(scenario.steps):
         if step.request is not None:
@@ -70,7 +70,7 @@ def steps(game: Game[Any], scenario: ScenarioRecord, floats: bool) -> Iterator[P
         if step.tick is not None:
             for _ in range(step.tick.times):
                 events.extend(game.tick(Direction[step.tick.key.upper()]))
-        yield Played(step, events, tuple(game.row.bodies))
+        yield Played(step, events, tuple(game.world.bodies))
 
 
 def play(path: Path, floats: bool = False) -> tuple[ScenarioRecord, Game[Any], Iterator[Played[Any]]]:

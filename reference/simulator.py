@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Generator
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from typing import Any, Generic
 
-from reference.row import Row, row_of
+from reference.world import World, world_of
 from spec.body import Level
 from spec.graph import Direction
 from spec.number import N, greater, zero_like
@@ -41,14 +41,7 @@ class Heard:
 
 def heard(rules: Rules, record: Record) -> Rules:
     """The same rules, recorded."""
-    return replace(
-        rules,
-        clearance=Heard(rules.clearance, record),
-        push=Heard(rules.push, record),
-        contact=Heard(rules.contact, record),
-        walk=Heard(rules.walk, record),
-        follow=Heard(rules.follow, record),
-    )
+    return rules.through(lambda family: Heard(family, record))
 
 
 def fulfil(start: Ask[N, int], begin: Callable[[Ask[N, int]], Generator[Ask[N, int], N, N]], record: Record) -> N:
@@ -74,11 +67,11 @@ def fulfil(start: Ask[N, int], begin: Callable[[Ask[N, int]], Generator[Ask[N, i
             answer = None
 
 
-def move(profile: Profile, row: Row[N], body: int, direction: Direction, distance: N) -> tuple[N, Record]:
+def move(profile: Profile, world: World[N], body: int, direction: Direction, distance: N) -> tuple[N, Record]:
     """Request `body` to move by `distance >= 0` in a direction; return the distance moved and the record."""
     record = Record(body)
-    rules, view = heard(profile.rules, record), row.facing(direction)
-    limit = profile.push_limit(len(row.bodies))
+    rules, view = heard(profile.rules, record), world.facing(direction)
+    limit = profile.push_limit(len(world.bodies))
 
     def begin(ask: Ask[N, int]) -> Generator[Ask[N, int], N, N]:
         return request(rules, view, ask.body, ask.distance, ask.spare)
@@ -110,16 +103,16 @@ class Game(Generic[N]):
         Raises:
             LevelError: if the level is not in the domain of the rules.
         """
-        self.row = row_of(self.level)
-        self.handles = {body.name: handle for handle, body in enumerate(self.row.bodies)}
+        self.world = world_of(self.level)
+        self.handles = {body.name: handle for handle, body in enumerate(self.level.bodies)}
 
     def request(self, body: str, distance: N) -> Event[N]:
         """Request a body to move by a signed distance, positive to the right."""
         zero = zero_like(distance)
         direction = Direction.LEFT if distance < zero else Direction.RIGHT
         size = greater(distance, zero - distance)
-        moved, record = move(self.profile, self.row, self.handles[body], direction, size)
-        fired = tuple((self.row.bodies[handle].name, rule) for handle, rule in record.fired)
+        moved, record = move(self.profile, self.world, self.handles[body], direction, size)
+        fired = tuple((self.world.bodies[handle].name, rule) for handle, rule in record.fired)
         return Event(body, distance, moved * direction, fired, record.depth)
 
     def tick(self, direction: Direction) -> list[Event[N]]:

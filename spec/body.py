@@ -22,12 +22,17 @@ class EdgePosition(Generic[N]):
 
 @dataclass(frozen=True)
 class Body(Generic[N]):
-    """A graphbody: a character if its speed is not 0, else a box. Speed is distance per second."""
+    """A graphbody: a character if its speed is not 0, else a box.
+
+    Speed is distance per second. A body of which `pushes` is False pushes nobody (1.1, A39).
+    """
 
     name: str
     left: EdgePosition[N]
     right: EdgePosition[N]
     speed: N
+    height: N
+    pushes: bool = True
 
     def border(self, direction: Direction) -> EdgePosition[N]:
         """The border on one side."""
@@ -36,9 +41,14 @@ class Body(Generic[N]):
 
 @dataclass(frozen=True)
 class Level(Generic[N]):
-    """A graph, the collision margin, the length of a tick in seconds, and bodies in the level's order."""
+    """A graph, the collision margin, the length of a tick in seconds, bodies in the level's order, and buttons.
+
+    The static edges are numbered as in the graph; the top of body N is the edge after them with number N (R9, R11).
+    The goal of a level is that a character stands on each button (1.1).
+    """
 
     graph: Graph[N]
     margin: N
     tick: N
     bodies: tuple[Body[N], ...]
+    buttons: tuple[EdgePosition[N], ...] = ()

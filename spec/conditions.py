@@ -7,7 +7,9 @@ from dataclasses import dataclass
 from typing import Any
 
 from spec.invariants import every
+from spec.graph import EdgeType
 from spec.number import N, Truth, zero_like
+from spec.plane import apart, outside_terrain
 from spec.world import State
 
 
@@ -40,12 +42,15 @@ def edges_long(start: State[N], asked: N) -> Truth:
 
 def fits_into_the_ring(start: State[N], asked: N) -> Truth:
     """On a ring, the distance is at most the room that two bodies or more leave between them beyond the margins."""
-    if not start.closed or len(start.bodies_in_order()) < 2:
-        return True
-    room = zero_like(asked)
+    return not start.closed or len(start.bodies_in_order()) < 2 or asked <= room_between(start)
+
+
+def room_between(start: State[N]) -> N:
+    """All room between neighbours, beyond the margins."""
+    room = zero_like(start.margin)
     for pair in start.neighbours():
         room = room + start.clear(*pair) - start.margin
-    return asked <= room
+    return room
 
 
 def at_most_once_round(start: State[N], asked: N) -> Truth:
@@ -54,6 +59,37 @@ def at_most_once_round(start: State[N], asked: N) -> Truth:
     for length in start.edge_lengths():
         round_ = round_ + length
     return not start.closed or asked <= round_
+
+
+def one_string(start: Any, asked: Any) -> Truth:
+    """There is one string, and no ledge on it."""
+    return all(edge.type is EdgeType.GROUND for edge in start.graph.edges) and len(start.rows) == 1 + len(start.bodies)
+
+
+def plane_start(start: Any, asked: Any) -> Truth:
+    """Margins and terrain are kept."""
+    return margins_kept(start, asked) & apart(start, start.margin) & outside_terrain(start, start.margin * 0)  # type: ignore[operator]
+
+
+def guidelines(start: Any, asked: Any) -> Truth:
+    """All guidelines hold; one layer is what joining the vertices from left to right gives."""
+    graph, sizes = start.graph, [(start.width(body), start.bodies[body].height) for body in start.handles()]
+    width, height = sizes[0]
+    layered = all(
+        edge.left == index and edge.right in (index + 1, 0) for index, edge in enumerate(graph.edges)
+    )
+    return every(
+        [
+            layered,
+            *((w == width) & (h == height) for w, h in sizes),
+            *(
+                edge.rise == 0 and edge.length >= width
+                if edge.type is EdgeType.GROUND
+                else edge.run == 0 and edge.length == height
+                for edge in graph.edges
+            ),
+        ]
+    )
 
 
 IN_ORDER = Condition("condition/in-order", "At the start no two bodies overlap.", "6.2.1; A10", in_order)
@@ -82,5 +118,25 @@ ONCE_ROUND = Condition(
     "4.2; A7",
     at_most_once_round,
 )
+ONE_STRING = Condition(
+    "condition/one-string",
+    "The level is one string of ground edges, a line between two walls or a ring.",
+    "2.2, 4.2, 6.2.1a to c; R5, R19",
+    one_string,
+)
+PLANE_START = Condition(
+    "condition/plane-start",
+    "At the start, bodies beside each other are at least the margin apart, on their strings and in the plane, and "
+    "outside all terrain.",
+    "6.2.1, 6.2.2; R24, U9",
+    plane_start,
+)
+GUIDELINES = Condition(
+    "condition/guidelines",
+    "The level keeps the guidelines: one size of bodies; fall edges vertical and one body height tall, between level "
+    "ground edges that are at least a body long; a single layer.",
+    "6.2.2; G1, G2, G3, G4, G5",
+    guidelines,
+)
 
-CONDITIONS: tuple[Condition, ...] = (IN_ORDER, MARGINS_KEPT, EDGES_LONG, FREE_SPACE, ONCE_ROUND)
+CONDITIONS: tuple[Condition, ...] = (IN_ORDER, MARGINS_KEPT, EDGES_LONG, FREE_SPACE, ONCE_ROUND, ONE_STRING, PLANE_START, GUIDELINES)

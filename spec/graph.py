@@ -41,12 +41,19 @@ class Vertex(Generic[N]):
 
 @dataclass(frozen=True)
 class Edge(Generic[N]):
-    """An edge from its left to its right vertex (indices), with its length along the graph."""
+    """An edge from its left to its right vertex (indices), with its length along the graph.
+
+    `run` and `rise` are how far it goes to the right and up for each unit of its length. Under a ground edge the
+    terrain is solid, down to `thickness` below it, or without end where that is None.
+    """
 
     left: int
     right: int
     type: EdgeType
     length: N
+    run: N
+    rise: N
+    thickness: N | None = None
 
     def towards(self, direction: Direction) -> int:
         """The vertex at the edge's end in a direction."""
@@ -87,6 +94,15 @@ class IrrationalLength(ValueError):
         self.edge = edge
 
 
+class NoLength(ValueError):
+    """An edge between two vertices at the same place."""
+
+    def __init__(self, edge: int) -> None:
+        """Remember the edge's place in the list of edges."""
+        super().__init__(f"edge {edge} has no length")
+        self.edge = edge
+
+
 def rational_root(square: Fraction) -> Fraction | None:
     """The root of a rational number, or None where it is irrational."""
     above, below = isqrt(square.numerator), isqrt(square.denominator)
@@ -99,22 +115,36 @@ def extent(left: Vertex[N], right: Vertex[N], shift: N) -> tuple[N, N]:
     return right.x + shift - left.x, right.y - left.y
 
 
+@dataclass(frozen=True)
+class ExplicitEdge:
+    """An edge as a level names it: its ends, its type (by steepness if None), and the thickness of its ground."""
+
+    left: int
+    right: int
+    type: EdgeType | None = None
+    thickness: Fraction | None = None
+
+
 def edge_between(
-    vertices: Sequence[Vertex[Fraction]], ends: tuple[int, int], shift: Fraction, index: int
+    vertices: Sequence[Vertex[Fraction]], named: ExplicitEdge, shift: Fraction, index: int
 ) -> Edge[Fraction]:
     """An edge between two vertices, the right one moved by `shift` (once round the cylinder, or 0).
 
-    It is ground if its steepness is at most 60 degrees, else a fall edge (6.1.3; R30, A42).
+    If no type is named, it is ground if its steepness is at most 60 degrees, else a fall edge (6.1.3; R30, A42).
 
     Raises:
         IrrationalLength: if the distance is irrational.
+        NoLength: if it is 0.
     """
-    across, up = extent(vertices[ends[0]], vertices[ends[1]], shift)
+    across, up = extent(vertices[named.left], vertices[named.right], shift)
     length = rational_root(across * across + up * up)
     if length is None:
         raise IrrationalLength(index)
+    if length == 0:
+        raise NoLength(index)
     steep = up * up > 3 * across * across
-    return Edge(ends[0], ends[1], EdgeType.FALL if steep else EdgeType.GROUND, length)
+    edge_type = named.type or (EdgeType.FALL if steep else EdgeType.GROUND)
+    return Edge(named.left, named.right, edge_type, length, across / length, up / length, named.thickness)
 
 
 def polyline(vertices: Sequence[Vertex[Fraction]], circumference: Fraction | None = None) -> Graph[Fraction]:
@@ -123,8 +153,28 @@ def polyline(vertices: Sequence[Vertex[Fraction]], circumference: Fraction | Non
     Raises:
         IrrationalLength: if two consecutive vertices have an irrational distance.
     """
-    ends = [(i, i + 1) for i in range(len(vertices) - 1)]
-    edges = [edge_between(vertices, pair, Fraction(0), i) for i, pair in enumerate(ends)]
+    ends = [ExplicitEdge(i, i + 1) for i in range(len(vertices) - 1)]
     if circumference is not None:
-        edges.append(edge_between(vertices, (len(vertices) - 1, 0), circumference, len(edges)))
+        ends.append(ExplicitEdge(len(vertices) - 1, 0))
+    return explicit(ends, vertices, circumference)
+
+
+def explicit(
+    named: Sequence[ExplicitEdge], vertices: Sequence[Vertex[Fraction]], circumference: Fraction | None = None
+) -> Graph[Fraction]:
+    """The graph of named edges: with platforms, gaps and layers as one likes (6.1.3; R30, U8).
+
+    On a cylinder, an edge whose right vertex is further to the left than its left one goes round.
+
+    Raises:
+        IrrationalLength: if the ends of an edge have an irrational distance.
+        NoLength: if they are at the same place.
+    """
+    edges = []
+    for index, edge in enumerate(named):
+        goes_round = circumference is not None and (
+            vertices[edge.right].x < vertices[edge.left].x or edge.right == edge.left
+        )
+        shift = circumference if goes_round and circumference is not None else Fraction(0)
+        edges.append(edge_between(vertices, edge, shift, index))
     return Graph(tuple(vertices), tuple(edges), circumference)

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
-from spec.readings import PUSH_LIMIT, TICK_ORDER
+from spec.readings import LANDING, LANDING_OVERSHOOT, PUSH_LIMIT, TICK_ORDER
 from spec.rules.clearance import CLEARANCE
+from spec.rules.leave import FIT, LEAVE
 from spec.rules.push import CONTACT, PUSH
 from spec.rules.request import Rules, segment
 from spec.rules.walk import FOLLOW, WALK
@@ -24,9 +25,23 @@ class Profile:
 
 THESIS = Profile(
     name="thesis",
-    rules=Rules(clearance=CLEARANCE, push=PUSH, contact=CONTACT, walk=WALK, follow=FOLLOW, segment=segment),
+    rules=Rules(
+        clearance=CLEARANCE,
+        push=PUSH,
+        contact=CONTACT,
+        walk=WALK,
+        follow=FOLLOW,
+        leave=LEAVE,
+        fit=FIT,
+        landing=LANDING.choice,
+        segment=segment,
+    ),
     push_limit=PUSH_LIMIT.choice,
     tick_order=TICK_ORDER.choice,
 )
 
-PROFILES: dict[str, Profile] = {profile.name: profile for profile in (THESIS,)}
+OVERSHOOT = replace(
+    THESIS, name="thesis/overshoot", rules=replace(THESIS.rules, landing=LANDING_OVERSHOOT.choice)
+)
+
+PROFILES: dict[str, Profile] = {profile.name: profile for profile in (THESIS, OVERSHOOT)}

@@ -6,6 +6,8 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Generic, TypeVar
 
+from spec.rules.leave import Landing, rear_at_near_end, rear_keeps_across
+
 Choice = TypeVar("Choice", covariant=True)
 
 
@@ -48,6 +50,30 @@ TICK_ORDER: Reading[Callable[[Sequence[str]], Sequence[str]]] = Reading(
     others="characters first; simultaneously",
     choice=as_listed,
 )
+
+LANDING: Reading[Landing] = Reading(
+    id="reading/landing-position",
+    sentence="A falling body lands with its rear border at the foot of the fall edge, a jumping one with it at the "
+    "near corner of the top.",
+    source="6.2.1d, 6.2.1e, 6.4.1, 7.2; A15, A19",
+    others="it keeps its horizontal position (the profile thesis/overshoot); centred",
+    choice=rear_at_near_end,
+)
+
+LANDING_OVERSHOOT: Reading[Landing] = Reading(
+    id="reading/landing-overshoot",
+    sentence="A falling or jumping body keeps its horizontal position, so that it lands as far beyond the foot or the "
+    "near corner as it had moved beyond the ledge.",
+    source="1.2, 6.2.1d, 6.2.1e; A15, A19",
+    others="its rear border lands at the foot or the near corner (the profile thesis)",
+    choice=rear_keeps_across,
+)
+
+
+def reading(name: str, sentence: str, source: str, others: str) -> Reading[None]:
+    """A reading that is written down in the rules themselves."""
+    return Reading(f"reading/{name}", sentence, source, others, None)
+
 
 RECORDED: tuple[Reading[None], ...] = (
     Reading(
@@ -145,4 +171,134 @@ RECORDED: tuple[Reading[None], ...] = (
     ),
 )
 
-READINGS: tuple[Reading[object], ...] = (PUSH_LIMIT, TICK_ORDER, *RECORDED)
+OF_LEDGES: tuple[Reading[None], ...] = (
+    reading(
+        "both-in-overhang",
+        "Both borders are in overhang when both are strictly beyond the same end.",
+        "6.2.1d; A14",
+        "either border; beyond any end",
+    ),
+    reading(
+        "when-pushed-off",
+        "A body that is pushed off its ledge falls inside the request that moved it, the front-most body first.",
+        "6.2.1d; A4",
+        "in its own turn; never, if its velocity is 0",
+    ),
+    reading(
+        "landing-too-short",
+        "A landing goes on onto the next ground edge, or overhangs; where a wall stands in the way it does not fit.",
+        "6.2.1d; A16",
+        "it is illegal",
+    ),
+    reading(
+        "after-a-fall",
+        "A request that ends in a fall or a jump returns the distance walked before it; the velocity is kept.",
+        "6.2.1d; A17",
+        "it goes on with what is left; the velocity is lost",
+    ),
+    reading("overhang", "A request may overhang a ledge by any distance.", "6.2.1; A55", "a maximum overhang"),
+    reading(
+        "when-to-jump",
+        "A jump starts, like a fall, when both borders are beyond the ledge.",
+        "6.2.1e; A18",
+        "with the front border at the ledge",
+    ),
+    reading(
+        "horizontal-distance",
+        "The horizontal distance of a jump edge goes from the ledge to the nearest corner of the top, in the direction "
+        "of the motion; it counts from 0 on, up to less than the body's width.",
+        "6.2.1; A20",
+        "to the far corner; unsigned; the gap between the intervals",
+    ),
+    reading("level-jump", "A jump edge of height 0 does not lead up.", "6.2.1; A21", "it leads up"),
+    reading(
+        "own-corners",
+        "A body does not jump onto itself, its riders, theirs, or the corners of its own support.",
+        "6.2.1; A22",
+        "these count, and block it for ever",
+    ),
+    reading(
+        "which-jump",
+        "Of several jump edges that do not lead up, the one with the smallest drop is taken, among equals the one to "
+        "the nearest corner; others that lead up do not matter.",
+        "6.2.1; A23",
+        "two supports; any that leads up blocks",
+    ),
+    reading(
+        "where-blocked",
+        "A blocked body stands with its rear border exactly at the ledge, which is on the edge.",
+        "6.2.1; A24",
+        "in full overhang; the whole move is refused",
+    ),
+    reading(
+        "live-jump-edges",
+        "Jump edges are found by the side to which a ledge falls; where their tops are is read when they are used.",
+        "6.1.3; A25",
+        "all is fixed at start-up",
+    ),
+    reading(
+        "end-of-a-top",
+        "At the corner of a top without a near jump edge a body is blocked.",
+        "4.4, 6.6c, 7.2; A26",
+        "it falls; a wall stands there",
+    ),
+    reading(
+        "carried",
+        "A rider is carried with its support, unchecked.",
+        "4.4; A27",
+        "carried with collisions; it slides",
+    ),
+    reading("support-falls", "A rider goes with a support that falls.", "4.4; A28", "it drops"),
+    reading(
+        "one-support",
+        "A rider has one support, and may overhang its top.",
+        "4.4; A29",
+        "its width changes",
+    ),
+    reading(
+        "top-corners",
+        "A top's corners are straight above the borders, by the body's height.",
+        "T6.1, 1.2; A30",
+        "along the normal of the ground",
+    ),
+    reading(
+        "steep-edges",
+        "An edge steeper than 60 degrees is a fall edge; seen from below it is a wall.",
+        "6.1.3; A42",
+        "another angle",
+    ),
+    reading(
+        "one-fall",
+        "A request passes any number of vertices, but falls or jumps once for each body.",
+        "6.2.1; A48",
+        "one transition; any number of falls",
+    ),
+    reading(
+        "rider-speed",
+        "A rider's own movement is relative to its support.",
+        "4.4, 1.1; A52",
+        "in the plane",
+    ),
+    reading(
+        "top-to-ledge",
+        "A jump edge between a ledge and a top also leads from the top to the ledge, if it does not lead up and the "
+        "ledge's first body length is free.",
+        "6.1.3; A54",
+        "only from the ledge",
+    ),
+    reading(
+        "position-in-overhang",
+        "In overhang a border is on the line of its edge, continued.",
+        "6.1.1; A56",
+        "at the end of the edge",
+    ),
+)
+
+READINGS: tuple[Reading[object], ...] = (
+    PUSH_LIMIT,
+    TICK_ORDER,
+    LANDING,
+    LANDING_OVERSHOOT,
+    *RECORDED,
+    *OF_LEDGES,
+)

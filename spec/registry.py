@@ -9,6 +9,7 @@ from spec.invariants import OF_ONE_REQUEST, RELATIONS
 from spec.profiles import PROFILES, Profile
 from spec.readings import READINGS
 from spec.rule import AnyRule, Family
+from spec.rules.request import FAMILIES
 
 
 class Statement(Protocol):
@@ -33,7 +34,7 @@ class Statement(Protocol):
 
 def rules_of(profile: Profile) -> list[AnyRule]:
     """The rules of a profile, chapter by chapter."""
-    families = (getattr(profile.rules, name) for name in ("clearance", "push", "contact", "walk", "follow"))
+    families = (getattr(profile.rules, name) for name in FAMILIES)
     return [rule for family in families if isinstance(family, Family) for rule in family.rules]
 
 
@@ -43,7 +44,7 @@ def statements() -> dict[str, Statement]:
     Raises:
         ValueError: if two statements have the same ID.
     """
-    rules = [rule for profile in PROFILES.values() for rule in rules_of(profile)]
+    rules = {rule.id: rule for profile in PROFILES.values() for rule in rules_of(profile)}.values()
     everything: list[Statement] = [*rules, *OF_ONE_REQUEST, *RELATIONS, *CONDITIONS, *READINGS]
     table: dict[str, Statement] = {}
     for statement in everything:

@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from properties.claims.claim import Verdict
-from properties.claims.string import CLAIMS
+from properties.claims.catalogue import CLAIMS
 from properties.contracts.request import judged
 from properties.engine.explore import explore
 from properties.evidence import settle as settling
@@ -132,9 +132,9 @@ def test_the_witness_against_short_edges_ends_nearer_than_the_margin(tmp_path):
     claim = settling.by_id("claim/no-overlap-on-short-edges")
     path = write_witness(claim, refute(claim.profile, claim.erratum).counterexample.values, tmp_path)
     _, game, played = play(path)
-    assert game.row.clear(0, 1) >= game.row.margin
+    assert game.world.clear(0, 1) >= game.world.margin
     list(played)
-    assert game.row.clear(0, 1) < game.row.margin
+    assert game.world.clear(0, 1) < game.world.margin
 
 
 def test_a_failed_piece_of_evidence_makes_its_claim_refuted():

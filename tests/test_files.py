@@ -6,7 +6,7 @@ import pytest
 
 from reference.formats import FormatError, LevelRecord, level_of, level_record, read
 from reference.play import LIBRARY, library, play
-from reference.row import LevelError, row_of
+from reference.world import LevelError, world_of
 from spec.conditions import EDGES_LONG, MARGINS_KEPT
 
 LEVELS = sorted((LIBRARY / "levels").glob("*.json"))
@@ -35,7 +35,7 @@ def load(tmp_path, text):
     """Read a level file as the command line does, up to its world."""
     path = tmp_path / "level.json"
     path.write_bytes(text if isinstance(text, bytes) else json.dumps(text).encode())
-    return row_of(level_of(read(path, LevelRecord)))
+    return world_of(level_of(read(path, LevelRecord)))
 
 
 def test_there_are_at_least_ten_levels_and_each_is_played():
@@ -51,7 +51,7 @@ def test_a_level_of_the_library_is_valid_named_after_its_file_and_survives_a_rou
     assert record.name == path.stem
     assert record.note
     assert level_of(level_record(level, record.name)) == level
-    start = row_of(level)
+    start = world_of(level)
     assert MARGINS_KEPT.holds(start, 0)
     assert EDGES_LONG.holds(start, 0) == (path.stem != "edges-below-margin")
 

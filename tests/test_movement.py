@@ -13,7 +13,7 @@ from spec.profiles import THESIS
 def game(vertices, bodies, circumference=None, margin="1/4", floats=False):
     """A game on a polyline; each body is (name, edge, left location, edge, right location) and maybe a speed."""
     records = [
-        BodyRecord(name, Position(le, str(left)), Position(re, str(right)), str(speed[0]) if speed else "0")
+        BodyRecord(name, Position(str(left), edge=le), Position(str(right), edge=re), str(speed[0]) if speed else "0")
         for name, le, left, re, right, *speed in bodies
     ]
     record = LevelRecord(
@@ -30,7 +30,7 @@ def game(vertices, bodies, circumference=None, margin="1/4", floats=False):
 
 def at(played, name):
     """The borders of a body as (edge, location) pairs."""
-    body = played.row.bodies[played.handles[name]]
+    body = played.world.bodies[played.handles[name]]
     return (body.left.edge, body.left.location), (body.right.edge, body.right.location)
 
 

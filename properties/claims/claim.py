@@ -5,9 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from enum import StrEnum
+from typing import Any
 
 from properties.contracts.errata import Stage
 from properties.given import Given
+from spec.invariants import Deed
+from spec.number import Truth
 from spec.profiles import Profile
 
 
@@ -38,6 +41,24 @@ class Count:
     program: Callable[[Profile], int]
 
 
+@dataclass(frozen=True)
+class Hunt:
+    """A promise about one request in any small scene; a witness against it is hunted, the smallest shapes first.
+
+    Attributes:
+        promise: of a deed and the rules that fired for its mover.
+        guided: whether the scenes keep the guidelines G1 to G5.
+        least_bodies, most_bodies, most_edges: the sizes of the scenes.
+    """
+
+    id: str
+    promise: Callable[[Deed[Any], frozenset[str]], Truth]
+    guided: bool
+    most_bodies: int
+    most_edges: int
+    least_bodies: int = 1
+
+
 Erratum = Callable[[Profile, Given, Stage], None]
 
 
@@ -51,6 +72,8 @@ class Claim:
         obligations: what is to be proved; all of them, for the claim to be proved.
         sampled: whether the property `about` is also tested on random rows.
         counts: exact counts that are to come out.
+        hunt: what is promised of all small scenes with ledges.
+        long: whether it takes too long to be settled at every check.
         erratum: for a claim that is expected to be refuted, the promise that a witness breaks.
     """
 
@@ -66,5 +89,7 @@ class Claim:
     sampled: bool = False
     counts: tuple[Count, ...] = ()
     erratum: Erratum | None = None
+    hunt: Hunt | None = None
+    long: bool = False
 
     kind = "claim"

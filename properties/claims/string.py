@@ -8,7 +8,7 @@ from typing import Any
 from properties.claims.claim import Claim, Count, Erratum, Obligation, Verdict
 from properties.contracts import counts, errata, families, request, rows
 from properties.given import Given
-from spec.conditions import EDGES_LONG, FREE_SPACE, IN_ORDER, MARGINS_KEPT, ONCE_ROUND
+from spec.conditions import EDGES_LONG, FREE_SPACE, IN_ORDER, MARGINS_KEPT, ONCE_ROUND, ONE_STRING
 from spec.graph import Direction
 from spec.invariants import (
     ADDITIVE,
@@ -114,7 +114,7 @@ def holds(
         source=about.source,
         about=about.id,
         profile=THESIS,
-        premises=premises,
+        premises=(ONE_STRING.id, *premises),
         expected=expected,
         obligations=obligations,
         sampled=True,
@@ -123,7 +123,8 @@ def holds(
 
 def refuted(name: str, about: str, sentence: str, source: str, premises: tuple[str, ...], erratum: Erratum) -> Claim:
     """A claim that is expected to be refuted by a witness."""
-    return Claim(f"claim/{name}", "errata", sentence, source, about, THESIS, premises, REFUTED, erratum=erratum)
+    assumed = (ONE_STRING.id, *premises)
+    return Claim(f"claim/{name}", "errata", sentence, source, about, THESIS, assumed, REFUTED, erratum=erratum)
 
 
 def counted(name: str, about: str, sentence: str, source: str, program: Callable[[Profile], int]) -> Claim:

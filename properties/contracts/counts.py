@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from fractions import Fraction
 from itertools import product
+from typing import Any
 
 from properties.worlds.rows import located, string_graph
 from reference.play import library, play
-from reference.row import Row
+from reference.world import World
 from reference.simulator import move
-from spec.body import Body, EdgePosition
+from spec.body import Body, EdgePosition, Level
 from spec.graph import Direction
 from spec.profiles import Profile
 from spec.registry import rules_of
@@ -17,20 +18,25 @@ from spec.registry import rules_of
 ONE, MARGIN = Fraction(1), Fraction(1, 8)
 
 
-def row_in_contact(bodies: int, pushed: int) -> Row[Fraction]:
+def line(lengths: list[Any], margin: Any, bodies: list[Body[Any]]) -> World[Any]:
+    """A world of bodies on a line of edges."""
+    return World(Level(string_graph(lengths, None), margin, margin, tuple(bodies)))
+
+
+def row_in_contact(bodies: int, pushed: int) -> World[Fraction]:
     """On one long edge, a mover and `pushed` bodies in contact with it; far away, all the other bodies."""
     lefts = [i * (ONE + MARGIN) + (0 if i <= pushed else bodies) for i in range(bodies)]
-    held = [Body(str(i), EdgePosition(0, left), EdgePosition(0, left + 1), ONE) for i, left in enumerate(lefts)]
-    return Row(string_graph([Fraction(4 * bodies)], None), MARGIN, held, closed=False)
+    held = [Body(str(i), EdgePosition(0, left), EdgePosition(0, left + 1), ONE, ONE) for i, left in enumerate(lefts)]
+    return line([Fraction(4 * bodies)], MARGIN, held)
 
 
 def queries_of_a_push(profile: Profile) -> int:
     """Pushing k of n bodies on one edge costs k + 1 queries, for all k < n in a range."""
     cases = [(bodies, pushed) for bodies in (1, 2, 5, 20, 60, 200) for pushed in (0, 1, 3, 10, 50) if pushed < bodies]
     for bodies, pushed in cases:
-        row = row_in_contact(bodies, pushed)
-        move(profile, row, 0, Direction.RIGHT, MARGIN)
-        assert row.work.queries == pushed + 1, f"{pushed} of {bodies} pushed: {row.work.queries} queries"
+        world = row_in_contact(bodies, pushed)
+        move(profile, world, 0, Direction.RIGHT, MARGIN)
+        assert world.work.queries == pushed + 1, f"{pushed} of {bodies} pushed: {world.work.queries} queries"
     return len(cases)
 
 
@@ -39,10 +45,10 @@ def queries_at_transitions(profile: Profile) -> int:
     cases = list(product(range(8), (1, 3)))
     for passed, width in cases:
         lengths = [ONE] * (passed + width + 2)
-        held = [Body("A", located(lengths, ONE / 4, False), located(lengths, width + ONE / 4, False), ONE)]
-        row = Row(string_graph(lengths, None), MARGIN, held, closed=False)
-        move(profile, row, 0, Direction.RIGHT, Fraction(passed))
-        assert row.work.queries == passed + 1, f"{passed} vertices passed: {row.work.queries} queries"
+        held = [Body("A", located(lengths, ONE / 4, False), located(lengths, width + ONE / 4, False), ONE, ONE)]
+        world = line(lengths, MARGIN, held)
+        move(profile, world, 0, Direction.RIGHT, Fraction(passed))
+        assert world.work.queries == passed + 1, f"{passed} vertices passed: {world.work.queries} queries"
     return len(cases)
 
 
@@ -50,10 +56,10 @@ def walls_are_reached(profile: Profile) -> int:
     """In floats too, a body that meets a wall stands exactly at the end of its edge, wherever it came from."""
     cases = [(places / 10, length / 10) for length in range(21, 80) for places in range(length - 20)]
     for left, length in cases:
-        held = [Body("A", EdgePosition(0, left), EdgePosition(0, left + 1), 1.0)]
-        row = Row(string_graph([length], None), 0.125, held, closed=False)
-        move(profile, row, 0, Direction.RIGHT, 2 * length)
-        assert row.bodies[0].right.location == length, f"from {left} on {length}: {row.bodies[0].right}"
+        held = [Body("A", EdgePosition(0, left), EdgePosition(0, left + 1), 1.0, 1.0)]
+        world = line([length], 0.125, held)
+        move(profile, world, 0, Direction.RIGHT, 2 * length)
+        assert world.bodies[0].right.location == length, f"from {left} on {length}: {world.bodies[0].right}"
     return len(cases)
 
 

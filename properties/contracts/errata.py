@@ -11,10 +11,11 @@ from typing import Any
 
 from properties.evidence.deeds import do
 from properties.given import Given
-from properties.worlds.rows import any_level, row
-from reference.row import Row
+from properties.worlds.rows import any_level
+from reference.world import World
 from reference.simulator import Game, move
 from spec.body import Level
+from spec.conditions import room_between
 from spec.graph import Direction
 from spec.invariants import no_overlap
 from spec.profiles import Profile
@@ -29,10 +30,10 @@ class Stage:
     level: Level[Any] | None = None
     steps: list[tuple[str, Any] | None] = field(default_factory=list)
 
-    def set(self, level: Level[Any]) -> Row[Any]:
+    def set(self, level: Level[Any]) -> World[Any]:
         """Note the level; return its row."""
         self.level = level
-        return row(level)
+        return World(level)
 
 
 def margin_with_short_edges(profile: Profile, given: Given, stage: Stage) -> None:
@@ -67,7 +68,7 @@ def neighbours_are_two(profile: Profile, given: Given, stage: Stage) -> None:
 def loops_only_on_a_full_circle(profile: Profile, given: Given, stage: Stage) -> None:
     """A chain comes round to its mover only on a circle that is fully filled."""
     held = stage.set(any_level(given, bodies=2, edges=1, closed=True))
-    asked, free = given.number("distance asked"), held.free - held.margin * 2
+    asked, free = given.number("distance asked"), room_between(held)
     stage.steps.append(("A", asked))
     _, record = move(profile, held, 0, RIGHT, asked)
     round_ = any(rule == "push/limit" for _, rule in record.fired)
@@ -82,4 +83,4 @@ def one_step_a_tick(profile: Profile, given: Given, stage: Stage) -> None:
     game = Game(profile, level)
     game.tick(RIGHT)
     for body in held.bodies_in_order():
-        given.ensure("nobody moves further than its speed allows", game.row.travel(held, body, RIGHT) <= level.tick)
+        given.ensure("nobody moves further than its speed allows", game.world.travel(held, body, RIGHT) <= level.tick)

@@ -33,7 +33,7 @@ def clearance_has_one(rules: Rules, given: Given) -> None:
 
 def push_has_one(rules: Rules, given: Given) -> None:
     """Any stride, any room, any number of spare requests."""
-    promise_one(given, rules.push, Want(given.number("stride"), given.number("room"), given.natural("spare")))
+    promise_one(given, rules.push, Want(given.number("stride"), given.number("room"), given.natural("spare"), given.flag("the body may push")))
 
 
 def contact_has_one(rules: Rules, given: Given) -> None:
@@ -46,5 +46,4 @@ def walk_has_one(rules: Rules, given: Given) -> None:
     seen = window(given, margin_kept=False, edges_long=False)
     way = Way(given.number("way"), blocked=given.flag("blocked"))
     motion = any_motion(given, seen.start)
-    onward = seen.onward(seen.start)
-    promise_one(given, rules.walk, Step(seen, motion, way, seen.reach(seen.start), onward))
+    promise_one(given, rules.walk, Step(seen, motion, way, seen.reach(seen.start), seen.beyond(seen.start)))

@@ -23,6 +23,7 @@ from properties.worlds.window import ME, NEIGHBOUR, Capacity, Spot, Window, capa
 from spec.number import greater, lesser
 from spec.profiles import Profile
 from spec.rule import AnyRule, Chooser, Family, GuardError, Rule
+from spec.rules.leave import Departure, Placement
 from spec.rules.push import Way
 from spec.rules.request import Ask, Rules, request
 from spec.rules.walk import Motion, Tow, walk
@@ -51,14 +52,7 @@ class Seen:
 
 def seen_by(given: Given, rules: Rules) -> Rules:
     """The same rules, seen."""
-    return replace(
-        rules,
-        clearance=Seen(rules.clearance, given),
-        push=Seen(rules.push, given),
-        contact=Seen(rules.contact, given),
-        walk=Seen(rules.walk, given),
-        follow=Seen(rules.follow, given),
-    )
+    return rules.through(lambda family: Seen(family, given))
 
 
 def judged(program: Callable[[Profile, Given], None], profile: Profile, given: Given) -> None:
@@ -111,19 +105,19 @@ def run_segment(
 
 def segment_accounts(rules: Rules, given: Given) -> None:
     """On any edge, with any neighbour in order: what a segment says it moved is what the border moved."""
-    seen = window(given, margin_kept=False, edges_long=False)
+    seen = window(given, margin_kept=False, edges_long=False, ledges=True)
     _, before, after = run_segment(rules, given, seen, no_more_than_asked(given))
     step = after.moved - before.moved
     given.ensure("the distance moved is where the border is", after.at.travelled == step)
     given.ensure("moved in the direction asked", step >= 0)
     given.ensure("moved at most what was asked", step <= before.rest)
     given.ensure("what is left and what was moved make what was asked", after.rest + step == before.rest)
-    given.ensure("the border is on its edge", (after.at.reach >= 0) & (after.at.reach <= after.at.length))
+    given.ensure("the border is on its edge", ((after.at.reach >= 0) | seen.ledge) & (after.at.reach <= after.at.length))
 
 
 def segment_keeps_order(rules: Rules, given: Given) -> None:
     """On any edge, with any neighbour in order: the border does not pass it."""
-    seen = window(given, margin_kept=False, edges_long=False)
+    seen = window(given, margin_kept=False, edges_long=False, ledges=True)
     _, _, after = run_segment(rules, given, seen, no_more_than_asked(given))
     if seen.neighbour:
         given.ensure("the neighbour is still ahead", seen.gap(after.at, NEIGHBOUR) >= 0)
@@ -131,7 +125,7 @@ def segment_keeps_order(rules: Rules, given: Given) -> None:
 
 def segment_keeps_margin(rules: Rules, given: Given) -> None:
     """With edges at least as long as the margin: the border comes no nearer to its neighbour than the margin."""
-    seen = window(given, margin_kept=True, edges_long=True)
+    seen = window(given, margin_kept=True, edges_long=True, ledges=True)
     _, _, after = run_segment(rules, given, seen, no_more_than_asked(given))
     if seen.neighbour:
         given.ensure("the margin is kept", seen.gap(after.at, NEIGHBOUR) >= seen.margin)
@@ -144,7 +138,7 @@ def segment_terminates(rules: Rules, given: Given) -> None:
     length of an edge whenever a segment goes on, so a request of a body takes at most as many segments as there
     are edges up to its target.
     """
-    seen = window(given, margin_kept=False, edges_long=False)
+    seen = window(given, margin_kept=False, edges_long=False, ledges=True)
     spare, before, after = run_segment(rules, given, seen, no_more_than_asked(given))
     given.ensure("asks once at most", len(seen.asks) <= 1)
     for ask in seen.asks:
@@ -177,13 +171,16 @@ def bystanders_keep(given: Given, seen: Window, step: Any) -> None:
 
 
 def request_is_its_segments(rules: Rules, given: Given) -> None:
-    """A request places its body, once: the front where its segments took it, the rear as far; and says how far."""
-    seen = window(given, margin_kept=False, edges_long=False)
-    distance = given.number("distance asked")
-    went = given.number("distance the segments go")
-    rear_goes = spot(given, "rear after the move")
+    """A request moves its front by its segments, tows its rear as far, leaves its edge if it must, and says how far.
+
+    Segments, towing and leaving are stood in for by their contracts.
+    """
+    seen = window(given, margin_kept=False, edges_long=False, ledges=True)
+    distance, went = given.number("distance asked"), given.number("distance the segments go")
+    rear_goes, ends = spot(given, "rear after the move"), Placement(object(), object(), given.number("moved in the end"))
     starts: list[Motion[Any, Spot]] = []
     tows: list[Tow[Any, Spot]] = []
+    departures: list[Departure[Any, Any]] = []
 
     def segments(rules: Rules, view: Window, body: str, motion: Motion[Any, Spot], spare: int) -> Any:
         starts.append(motion)
@@ -194,16 +191,24 @@ def request_is_its_segments(rules: Rules, given: Given) -> None:
         tows.append(tow)
         return rear_goes
 
-    stand_ins = replace(rules, segment=segments, follow=Family("follow", (stand_in(towed),)))
+    def leaves(leaving: Departure[Any, Any]) -> Placement[Any, Any]:
+        departures.append(leaving)
+        return ends
+
+    follow, leave = Family("follow", (stand_in(towed),)), Family("leave", (stand_in(leaves),))
+    stand_ins = replace(rules, segment=segments, follow=follow, leave=leave)
     moved = drive(given, request(stand_ins, seen, ME, distance, 0), seen, no_more_than_asked(given))
-    given.ensure("says how far it moved", moved == went)
     given.ensure("begins at the front border, with all it was asked", one_start(starts, seen, distance))
-    given.ensure("the rear is towed by the distance moved", len(tows) == 1 and tows[0].moved == went)
-    placed = [(body, front.travelled == went, rear is rear_goes) for body, front, rear in seen.placed]
-    given.ensure("places its own body, once", [body for body, _, _ in placed] == [ME])
-    for _, front_there, rear_there in placed:
-        given.ensure("places the front where it went", front_there)
-        given.ensure("places the rear where it was towed", rear_there)
+    given.ensure("the rear is towed once", len(tows) == 1)
+    for tow in tows:
+        given.ensure("the rear is towed by the distance moved", tow.moved == went)
+    given.ensure("it leaves, or stays, once", len(departures) == 1)
+    for leaving in departures:
+        given.ensure("it leaves from where the front went", leaving.front.travelled == went)
+        given.ensure("it leaves from where the rear was towed", leaving.rear is rear_goes)
+        given.ensure("it leaves with the distance moved", leaving.moved == went)
+    given.ensure("says how far it moved", moved == ends.moved)
+    given.ensure("places its own body where it came to stand, once", seen.placed == [(ME, ends.front, ends.rear)])
 
 
 def one_start(starts: list[Motion[Any, Spot]], seen: Window, distance: Any) -> Any:
@@ -218,9 +223,9 @@ def stand_in(effect: Callable[[Any], Any]) -> AnyRule:
 
 def rear_walks_on(rules: Rules, given: Given) -> None:
     """One walk of a rear border, whose string goes on as far as it is towed: it leaves nothing out."""
-    seen = window(given, margin_kept=False, edges_long=False)
+    seen = window(given, margin_kept=False, edges_long=False, ledges=True)
     before = any_motion(given, seen.start)
-    if seen.next_length is None:
+    if seen.next_length is None and not seen.ledge:
         given.assume(before.rest <= seen.start.reach)
     after = walk(seen_by(given, rules).walk, seen, before, Way(before.rest, blocked=False))
     step = after.moved - before.moved
@@ -228,12 +233,12 @@ def rear_walks_on(rules: Rules, given: Given) -> None:
     given.ensure("what is left and what was moved make what was asked", after.rest + step == before.rest)
     given.ensure("it stops only when nothing is left", after.going | (after.rest == 0))
     given.ensure("it goes on only from the end of its edge", (not after.going) | (step == seen.start.reach))
-    given.ensure("the border is on its edge", (after.at.reach >= 0) & (after.at.reach <= after.at.length))
+    given.ensure("the border is on its edge", ((after.at.reach >= 0) | seen.ledge) & (after.at.reach <= after.at.length))
 
 
 def rear_follows_by_the_same(rules: Rules, given: Given) -> None:
     """The rear border ends where its walks took it, and starts them with the distance its front moved."""
-    seen = window(given, margin_kept=False, edges_long=False)
+    seen = window(given, margin_kept=False, edges_long=False, ledges=True)
     moved = given.number("distance the front moved")
     starts: list[Motion[Any, Spot]] = []
 
@@ -250,7 +255,7 @@ def rear_follows_by_the_same(rules: Rules, given: Given) -> None:
 
 def segment_is_a_function(rules: Rules, given: Given) -> None:
     """The same segment, twice, gives the same."""
-    first, again = (window(given, margin_kept=False, edges_long=False) for _ in range(2))
+    first, again = (window(given, margin_kept=False, edges_long=False, ledges=True) for _ in range(2))
     _, _, one = run_segment(rules, given, first, no_more_than_asked(given))
     _, _, two = run_segment(rules, given, again, no_more_than_asked(given))
     given.ensure("the same distance", (one.moved == two.moved) & (one.rest == two.rest))

@@ -10,8 +10,8 @@ from typing import Any
 
 from properties.evidence.deeds import do
 from properties.given import Given
-from properties.worlds.rows import any_level, row
-from reference.row import Facing
+from properties.worlds.rows import any_level
+from reference.world import Facing, World
 from spec.body import Level
 from spec.graph import Direction, Vertex, extent
 from spec.invariants import OF_ONE_REQUEST, every
@@ -26,14 +26,14 @@ def same(a: Any | None, b: Any | None) -> Any:
 
 def facts(view: Facing[Any], body: int) -> tuple[Any, Any]:
     """What decides a body's capacity in a direction: the gap to the body ahead, and the distance to the wall."""
-    ahead = view.row.beside(body, view.direction)
+    ahead = view.world.beside(body, view.direction)
     gap = None if ahead is None else view.gap(view.front(body), ahead)
-    return gap, view.row.to_wall(body, view.direction)
+    return gap, view.world.to_wall(body, view.direction)
 
 
 def check_same_facts(given: Given, level: Level[Any], other: Level[Any], turned: bool) -> None:
     """Promise that two levels give every body the same gaps and walls, in either direction."""
-    one, two = row(level), row(other)
+    one, two = World(level), World(other)
     last = len(level.bodies) - 1
     for direction in Direction:
         for body in one.bodies_in_order():
@@ -59,8 +59,8 @@ def border_keeps_coordinate(profile: Profile, given: Given, bodies: int, edges: 
     level = any_level(given, bodies, edges, closed)
     at = given.number("where the edge is split")
     given.assume(level.graph.edges[cut].length - at > 0)
-    one, two = row(level), row(split(level, cut, at, Vertex(at, at)))
-    given.ensure("the same length", one.length == two.length)
+    one, two = World(level), World(split(level, cut, at, Vertex(at, at)))
+    given.ensure("the same length", one.rows[0].length == two.rows[0].length)
     for direction in Direction:
         border, twin = (held.coordinate(held.bodies[0].border(direction)) for held in (one, two))
         given.ensure("the same coordinate", border == twin)
@@ -85,7 +85,7 @@ def split_has_the_same_facts(profile: Profile, given: Given, bodies: int, edges:
 
 def world_is_lawful(profile: Profile, given: Given, bodies: int, edges: int, closed: bool) -> None:
     """The reference world keeps the laws of `spec.world.View`, in both directions."""
-    held = row(any_level(given, bodies, edges, closed))
+    held = World(any_level(given, bodies, edges, closed))
     for direction in Direction:
         view = held.facing(direction)
         for body in held.bodies_in_order():
@@ -96,9 +96,9 @@ def check_laws(given: Given, view: Facing[Any], body: int) -> None:
     """Promise the laws at one border."""
     at, step = view.front(body), view.reach(view.front(body))
     given.ensure("a border is on its edge", (step >= 0) & (view.along(at, step).location == view.end(at).location))
-    onward = view.onward(at)
-    other = view.row.beside(body, view.direction)
-    wall = view.row.to_wall(body, view.direction)
+    onward = view.beyond(at).onward
+    other = view.world.beside(body, view.direction)
+    wall = view.world.to_wall(body, view.direction)
     if onward is None:
         given.ensure("where no edge follows, the wall is the end of the edge", same(wall, step))
     if other is None:
@@ -120,10 +120,10 @@ def rows_keep_the_invariants(
     profile: Profile, given: Given, bodies: int, edges: int, closed: bool, direction: Direction
 ) -> None:
     """Any request of a whole row keeps every invariant of one request."""
-    held = row(any_level(given, bodies, edges, closed))
+    held = World(any_level(given, bodies, edges, closed))
     asked = given.number("distance asked")
     if closed:
-        given.assume(asked <= held.free)
+        given.assume(asked <= held.rows[0].length)
     mover = 0 if direction is Direction.RIGHT else bodies - 1
     deed, _ = do(profile, held, mover, direction, asked, asked * 0)
     for invariant in OF_ONE_REQUEST:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from reference.row import Row
+from reference.world import World
 from reference.simulator import Record, move
 from spec.graph import Direction
 from spec.invariants import Deed
@@ -12,11 +12,11 @@ from spec.profiles import Profile
 
 
 def do(
-    profile: Profile, row: Row[Any], body: int, direction: Direction, asked: Any, tolerance: Any
+    profile: Profile, world: World[Any], body: int, direction: Direction, asked: Any, tolerance: Any
 ) -> tuple[Deed[Any], Record]:
-    """Make a request of a copy of a row; return what came of it, and the rules that fired."""
-    after = row.copy()
+    """Make a request of a copy of a world; return what came of it, and the rules that fired."""
+    after = world.copy()
     moved, record = move(profile, after, body, direction, asked)
-    limit = profile.push_limit(len(row.bodies))
-    deed = Deed(row, after, body, direction, asked, moved, record.depth, limit, len(record.fired), tolerance)
+    limit = profile.push_limit(len(world.bodies))
+    deed = Deed(world, after, body, direction, asked, moved, record.depth, limit, len(record.fired), tolerance)
     return deed, record

@@ -14,9 +14,9 @@ from typing import Any
 from hypothesis import HealthCheck, Phase, given, seed, settings
 
 from properties.evidence.deeds import do
-from properties.evidence.relations import RELATIONS, row_of_floats
+from properties.evidence.relations import RELATIONS, world_of_floats
 from properties.strategies.rows import Trial, trials
-from reference.row import Row, row_of
+from reference.world import World, world_of
 from spec.invariants import OF_ONE_REQUEST
 from spec.profiles import Profile
 from spec.rule import GuardError
@@ -31,7 +31,7 @@ FLOORS = {
     "crosses an edge": 0.2,
     "meets the push limit": 0.02,
     "on a ring": 0.2,
-    "a row in contact": 0.2,
+    "a world in contact": 0.2,
     "a border at a vertex": 0.2,
 }
 
@@ -60,28 +60,28 @@ class Campaign:
         return [name for name, floor in FLOORS.items() if self.shares[name] < floor * self.cases]
 
 
-def failing(profile: Profile, trial: Trial, row: Row[Any], tolerance: Any, shares: Counter[str]) -> list[str]:
+def failing(profile: Profile, trial: Trial, world: World[Any], tolerance: Any, shares: Counter[str]) -> list[str]:
     """The properties that fail on a trial, in exact numbers or floats."""
-    asked = trial.asked + row.margin * 0
+    asked = trial.asked + world.margin * 0
     try:
-        deed, record = do(profile, row, trial.body, trial.direction, asked, tolerance)
-        shares.update(features(row, {rule for _, rule in record.fired}))
+        deed, record = do(profile, world, trial.body, trial.direction, asked, tolerance)
+        shares.update(features(world, {rule for _, rule in record.fired}))
         broken = [invariant.id for invariant in OF_ONE_REQUEST if not invariant.holds(deed)]
-        return broken + [check.id for check in RELATIONS if not check.holds(profile, trial, row, tolerance)]
+        return broken + [check.id for check in RELATIONS if not check.holds(profile, trial, world, tolerance)]
     except GuardError:
         return [ONE_RULE]
 
 
-def features(row: Row[Any], fired: set[str]) -> list[str]:
-    """What of interest there is in a row and in the rules that fired on it."""
+def features(world: World[Any], fired: set[str]) -> list[str]:
+    """What of interest there is in a world and in the rules that fired on it."""
     found = {
         "pushes": "push/request" in fired,
         "meets a wall": "walk/wall" in fired,
         "crosses an edge": "walk/onward" in fired,
         "meets the push limit": "push/limit" in fired,
-        "on a ring": row.closed,
-        "a row in contact": any(row.clear(*pair) == row.margin for pair in row.neighbours()),
-        "a border at a vertex": any(min(row.off_graph(body)) == 0 for body in row.bodies_in_order()),
+        "on a ring": world.closed,
+        "a world in contact": any(world.clear(*pair) == world.margin for pair in world.neighbours()),
+        "a border at a vertex": any(min(world.off_graph(body)) == 0 for body in world.bodies_in_order()),
     }
     return [name for name, there in found.items() if there]
 
@@ -110,10 +110,10 @@ def first_failure(profile: Profile, floats: bool, examples: int, result: Campaig
     )
     @given(trials())
     def every_property_holds(trial: Trial) -> None:
-        row: Row[Any] = row_of_floats(trial.level) if floats else row_of(trial.level)
+        world: World[Any] = world_of_floats(trial.level) if floats else world_of(trial.level)
         tolerance: Any = FLOAT_TOLERANCE if floats else Fraction(0)
         result.cases += 1
-        for property_id in failing(profile, trial, row, tolerance, result.shares):
+        for property_id in failing(profile, trial, world, tolerance, result.shares):
             if property_id not in result.failures:
                 raise Broken(property_id, trial)
 

@@ -14,8 +14,9 @@ from multiprocessing import get_context
 from pathlib import Path
 
 from properties.claims.claim import Claim, Verdict
-from properties.claims.string import CLAIMS
+from properties.claims.catalogue import CLAIMS
 from properties.contracts.request import judged
+from properties.worlds.scenes import Shape
 
 
 @dataclass(frozen=True)
@@ -37,6 +38,7 @@ class Showing:
     rules: frozenset[str] = frozenset()
     values: dict[str, Fraction | bool] | None = None
     shares: dict[str, tuple[float, float]] = field(default_factory=dict)
+    shape: Shape | None = None
 
 
 @dataclass(frozen=True)
@@ -95,6 +97,21 @@ def refute(claim_id: str) -> Showing:
     return Showing("z3", seconds, outcome.paths, failures, values=found.values)
 
 
+def chase(claim_id: str) -> Showing:
+    """Hunt for a witness against the promise of a claim."""
+    from properties.evidence.hunt import go
+
+    claim = by_id(claim_id)
+    assert claim.hunt is not None
+    started = time.perf_counter()
+    quarry = go(claim.hunt, claim.profile)
+    seconds = time.perf_counter() - started
+    if quarry.shape is None:
+        return Showing("z3", seconds, quarry.paths, open=tuple(quarry.open))
+    failures = {claim.hunt.id: shown(quarry.values)}
+    return Showing("z3", seconds, quarry.paths, failures, values=quarry.values, shape=quarry.shape)
+
+
 def sample(profile_name: str, floats: bool) -> Showing:
     """Test every invariant on random rows."""
     from properties.evidence.sample import FLOORS, campaign
@@ -140,6 +157,8 @@ def jobs_of(claim: Claim) -> dict[Job, Callable[[], Showing]]:
         jobs["count", claim.profile.name, item.id] = partial(count, claim.id, item.id)
     if claim.erratum is not None:
         jobs["refute", claim.id] = partial(refute, claim.id)
+    if claim.hunt is not None:
+        jobs["hunt", claim.id] = partial(chase, claim.id)
     return jobs
 
 
@@ -168,12 +187,14 @@ def settle(claim: Claim, showings: dict[Job, Showing], witnesses: Path) -> Settl
     mine = [showings[job] for job in jobs_of(claim)]
     verdict, reasons = verdict_of(claim, mine)
     witness = None
-    values = next((showing.values for showing in mine if showing.values is not None), None)
-    if values is not None:
-        from properties.evidence.witness import write_witness
+    for showing in mine:
+        if showing.values is not None:
+            from properties.evidence.witness import write_witness
 
-        witness = write_witness(claim, values, witnesses)
+            witness = write_witness(claim, showing.values, showing.shape, witnesses)
     bounds = [obligation.bodies for obligation in claim.obligations if obligation.bodies is not None]
+    if claim.hunt is not None:
+        bounds.append(claim.hunt.most_bodies)
     return Settled(
         claim,
         verdict,
@@ -199,9 +220,9 @@ def verdict_of(claim: Claim, showings: list[Showing]) -> tuple[Verdict, tuple[st
     unknown = tuple(reason for showing in showings for reason in showing.open)
     if unknown or (claim.erratum is not None):
         return Verdict.UNKNOWN, unknown or ("no witness was found",)
-    if not claim.obligations:
+    if not claim.obligations and claim.hunt is None:
         return Verdict.TESTED, ()
-    bounded = any(obligation.bodies is not None for obligation in claim.obligations)
+    bounded = claim.hunt is not None or any(obligation.bodies is not None for obligation in claim.obligations)
     return (Verdict.BOUNDED if bounded else Verdict.PROVED), ()
 
 
@@ -209,7 +230,7 @@ def first_failure() -> str | None:
     """Run the evidence of all claims, one after another, up to the first failure; what failed, or None."""
     jobs: dict[Job, Callable[[], Showing]] = {}
     for claim in CLAIMS:
-        if claim.erratum is None:
+        if claim.erratum is None and claim.hunt is None:
             jobs.update(jobs_of(claim))
     order = {"prove": 0, "count": 1, "sample": 2}
     for job in sorted(jobs, key=lambda job: order[job[0]]):

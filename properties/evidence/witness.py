@@ -10,6 +10,7 @@ from properties.claims.claim import Claim, Erratum
 from properties.contracts.errata import Stage
 from properties.engine.explore import Outcome, explore
 from properties.given import Exact, Given
+from properties.worlds.scenes import Shape, scene
 from reference.formats import (
     RequestRecord,
     ScenarioRecord,
@@ -31,13 +32,16 @@ def refute(profile: Profile, erratum: Erratum) -> Outcome:
     return explore(program)
 
 
-def scenario(claim: Claim, values: dict[str, Fraction | bool]) -> ScenarioRecord:
-    """The scenario in which values break the promise of a claim."""
-    assert claim.erratum is not None
+def scenario(claim: Claim, values: dict[str, Fraction | bool], shape: Shape | None) -> ScenarioRecord:
+    """The scenario in which values break the promise of a claim; `shape` is that of a hunted scene."""
     stage = Stage()
-    claim.erratum(claim.profile, Exact(values), stage)
+    if claim.erratum is not None:
+        claim.erratum(claim.profile, Exact(values), stage)
+    elif claim.hunt is not None and shape is not None:
+        stage.level, asked = scene(Exact(values), shape, claim.hunt.guided)
+        stage.steps.append((stage.level.bodies[0].name, asked))
     assert stage.level is not None
-    name = claim.id.removeprefix("claim/")
+    name = file_name(claim)
     return ScenarioRecord(
         format="graphbody/scenario@1",
         name=name,
@@ -55,8 +59,13 @@ def step_record(step: tuple[str, Any] | None) -> StepRecord:
     return StepRecord(request=RequestRecord(step[0], number_text(step[1])))
 
 
-def write_witness(claim: Claim, values: dict[str, Fraction | bool], directory: Path) -> Path:
+def file_name(claim: Claim) -> str:
+    """The name of a claim's witness."""
+    return claim.id.removeprefix("claim/").replace("/", "-")
+
+
+def write_witness(claim: Claim, values: dict[str, Fraction | bool], shape: Shape | None, directory: Path) -> Path:
     """Write the witness of a claim; return its path."""
-    path = directory / f"{claim.id.removeprefix('claim/')}.json"
-    write(path, scenario(claim, values))
+    path = directory / f"{file_name(claim)}.json"
+    write(path, scenario(claim, values, shape))
     return path

@@ -78,7 +78,7 @@ def levels(draw: st.DrawFn, most_bodies: int = 6) -> Level[Fraction]:
     round_ = [(left % total, right % total) for left, right in held] if closed else held
     speeds = [Fraction(draw(st.sampled_from((0, 0, 5, 50)))) for _ in held]
     bodies = [
-        Body(chr(65 + i), located(lengths, left, closed), located(lengths, right, closed), speeds[i])
+        Body(chr(65 + i), located(lengths, left, closed), located(lengths, right, closed), speeds[i], Fraction(1))
         for i, (left, right) in enumerate(round_)
     ]
     return Level(ground(lengths, closed), margin, Fraction(1, 50), tuple(draw(st.permutations(bodies))))

@@ -9,7 +9,6 @@ from fractions import Fraction
 from typing import Any
 
 from properties.given import Given
-from reference.row import Row
 from spec.body import Body, EdgePosition, Level
 from spec.graph import Edge, EdgeType, Graph, Vertex
 
@@ -17,7 +16,7 @@ from spec.graph import Edge, EdgeType, Graph, Vertex
 def string_graph(lengths: list[Any], circumference: Any | None) -> Graph[Any]:
     """Ground edges end to end, on a line or round a ring."""
     ends = len(lengths) if circumference is not None else len(lengths) + 1
-    edges = tuple(Edge(i, (i + 1) % ends, EdgeType.GROUND, length) for i, length in enumerate(lengths))
+    edges = tuple(Edge(i, (i + 1) % ends, EdgeType.GROUND, length, run=1, rise=0) for i, length in enumerate(lengths))
     zero, along = lengths[0] * 0, [lengths[0] * 0]
     for length in lengths[: ends - 1]:
         along.append(along[-1] + length)
@@ -60,14 +59,9 @@ def any_level(
         along <= first + total if closed and bodies > 1 else along - margin <= (first + total if closed else total)
     )
     placed = tuple(
-        Body(chr(65 + i), located(lengths, left, closed), located(lengths, right, closed), Fraction(speed))
+        Body(chr(65 + i), located(lengths, left, closed), located(lengths, right, closed), Fraction(speed), height=margin)
         for i, (left, right) in enumerate(held)
     )
     tick = given.number("tick")
     given.assume(tick > 0)
     return Level(string_graph(lengths, total if closed else None), margin, tick, placed)
-
-
-def row(level: Level[Any]) -> Row[Any]:
-    """The reference world of a level whose bodies are known to be valid and in order."""
-    return Row(level.graph, level.margin, list(level.bodies), closed=level.graph.circumference is not None)

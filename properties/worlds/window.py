@@ -6,12 +6,14 @@ neighbour could be moved (its capacity). So what is proved of a window is proved
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 from properties.given import Given
 from spec.number import lesser
 from spec.rules.request import Ask
+from spec.world import Beyond, Jump
 
 ME, NEIGHBOUR = "me", "neighbour"
 
@@ -36,6 +38,11 @@ class Window:
     neighbour: bool
     gap_before: Any
     granted: Any
+    may_push: bool
+    ledge: bool = False
+    body_width: Any = 0
+    below: Spot | None = None
+    jump_edges: tuple[Jump[Any, Spot], ...] = ()
     asks: list[Ask[Any, str]] = field(default_factory=list)
     placed: list[tuple[str, Spot, Spot]] = field(default_factory=list)
 
@@ -59,11 +66,11 @@ class Window:
         """The end of the edge."""
         return self.along(at, at.reach)
 
-    def onward(self, at: Spot) -> Spot | None:
-        """The beginning of the next edge, which is all of the string ahead that this window shows."""
+    def beyond(self, at: Spot) -> Beyond[Spot]:
+        """The beginning of the next edge, which is all of the string ahead that this window shows, or its end."""
         if self.next_length is None:
-            return None
-        return Spot(at.travelled + at.reach, at.edge + 1, self.next_length, self.next_length)
+            return Beyond(None, self.ledge)
+        return Beyond(Spot(at.travelled + at.reach, at.edge + 1, self.next_length, self.next_length), ledge=False)
 
     def ahead(self, body: str, front: Spot) -> str | None:
         """The neighbour, if it is on this edge or the next."""
@@ -75,6 +82,26 @@ class Window:
     def gap(self, front: Spot, other: str) -> Any:
         """Distance to the neighbour, which has moved by what it granted."""
         return self.gap_before + self.granted - front.travelled
+
+    def pushes(self, body: str) -> bool:
+        """Whether the body may push."""
+        return self.may_push
+
+    def width(self, body: str) -> Any:
+        """The body's width."""
+        return self.body_width
+
+    def foot(self, at: Spot) -> Spot | None:
+        """Where the fall edge leads."""
+        return self.below
+
+    def jumps(self, body: str, at: Spot) -> Sequence[Jump[Any, Spot]]:
+        """The jump edges at the ledge."""
+        return self.jump_edges
+
+    def across(self, start: Spot, end: Spot) -> Any:
+        """How far the rear border is beyond the ledge; the fall edge of a window is vertical."""
+        return self.reach(end) * -1
 
     def place(self, body: str, front: Spot, rear: Spot) -> None:
         """Note where the borders were put."""
@@ -90,22 +117,36 @@ def spot(given: Given, name: str) -> Spot:
     return Spot(reach * 0, 0, reach + behind, reach)
 
 
-def window(given: Given, margin_kept: bool, edges_long: bool) -> Window:
-    """Any window. `margin_kept`: the gap is at least the margin; `edges_long`: so is the next edge."""
+def lonely_window(given: Given, edges_long: bool, ledges: bool) -> Window:
+    """Any window with nobody ahead; see `window`."""
     margin, start = given.number("margin"), spot(given, "front")
     given.assume(margin > 0)
     given.assume(start.length > 0)
-    next_length = None
+    next_length, ledge = None, False
     if given.flag("an edge follows"):
         next_length = given.number("length of the next edge")
         given.assume(next_length >= margin if edges_long else next_length > 0)
-    neighbour = given.flag("a body is ahead")
-    gap = given.number("gap") if neighbour else margin * 0
-    if neighbour and margin_kept:
-        given.assume(gap >= margin)
-    if neighbour and next_length is None:
-        given.assume(gap <= start.reach)
-    return Window(margin, start, next_length, neighbour, gap, granted=margin * 0)
+    elif ledges and given.flag("the edge ends at a ledge"):
+        ledge = True
+        if given.flag("the border is in overhang"):
+            start = Spot(start.travelled, 0, start.length, start.reach * 0 - given.number("overhang"))
+    return Window(margin, start, next_length, False, margin * 0, margin * 0, may_push=True, ledge=ledge)
+
+
+def window(given: Given, margin_kept: bool, edges_long: bool, ledges: bool = False) -> Window:
+    """Any window. `margin_kept`: the gap is at least the margin; `edges_long`: so is the next edge.
+
+    `ledges`: the string may end at a ledge, and the border may be in overhang there.
+    """
+    seen = lonely_window(given, edges_long, ledges)
+    if not given.flag("a body is ahead"):
+        return seen
+    gap = given.number("gap")
+    if margin_kept:
+        given.assume(gap >= seen.margin)
+    if seen.next_length is None and not seen.ledge:
+        given.assume(gap <= seen.start.reach)
+    return replace(seen, neighbour=True, gap_before=gap, may_push=given.flag("the body may push"))
 
 
 @dataclass(frozen=True)
@@ -120,7 +161,7 @@ class Capacity:
         if not seen.neighbour:
             return self.wall
         to_contact = seen.gap(seen.start, NEIGHBOUR) - seen.margin
-        if spare > 0:
+        if spare > 0 and seen.may_push:
             to_contact = to_contact + self.neighbour
         return to_contact if self.wall is None else lesser(to_contact, self.wall)
 

@@ -15,11 +15,12 @@ from spec.rule import AnyFamily, Family, Rule
 
 @dataclass(frozen=True)
 class Want(Generic[N]):
-    """A stride, the room there is for it, and how many more bodies the chain of requests may move."""
+    """A stride, the room there is for it, how many more bodies the chain may move, and whether this one may push."""
 
     stride: N
     room: N
     spare: int
+    pushes: bool
 
 
 def enough_room(want: Want[N]) -> Truth:
@@ -40,6 +41,16 @@ def may_ask(want: Want[N]) -> Truth:
 def may_not_ask(want: Want[N]) -> Truth:
     """The push limit is reached."""
     return want.spare <= 0
+
+
+def permitted(want: Want[N]) -> Truth:
+    """The body may push others."""
+    return want.pushes
+
+
+def forbidden(want: Want[N]) -> Truth:
+    """The body may not push others."""
+    return not want.pushes
 
 
 def nothing(want: Want[N]) -> None:
@@ -65,14 +76,21 @@ PUSH: AnyFamily = Family(
             id="push/request",
             sentence="A stride that exceeds the free room requests its neighbour to move by the excess.",
             source="4.2, T4.1, 6.2.1c; R6, R20",
-            guard=(short_of_room, may_ask),
+            guard=(short_of_room, permitted, may_ask),
             effect=what_is_missing,
         ),
         Rule(
             id="push/limit",
             sentence="At the push limit the neighbour is not asked: it counts as a wall.",
             source="4.2; R31, A5, A6, A8",
-            guard=(short_of_room, may_not_ask),
+            guard=(short_of_room, permitted, may_not_ask),
+            effect=nothing,
+        ),
+        Rule(
+            id="push/forbidden",
+            sentence="A body that may not push asks nobody: its neighbour counts as a wall.",
+            source="1.1; A39",
+            guard=(short_of_room, forbidden),
             effect=nothing,
         ),
     ),

@@ -8,12 +8,13 @@ answer an `Ask` by the contract of a request instead of by another run of it.
 from __future__ import annotations
 
 from collections.abc import Callable, Generator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, Generic
 
 from spec.number import N, lesser, zero_like
 from spec.rule import Chooser
 from spec.rules.clearance import Sight
+from spec.rules.leave import Departure, Landing, Placement
 from spec.rules.push import Answer, Want, Way
 from spec.rules.walk import Motion, Tow, walk
 from spec.world import B, P, View
@@ -39,12 +40,25 @@ class Rules:
     contact: Chooser
     walk: Chooser
     follow: Chooser
+    leave: Chooser
+    fit: Chooser
+    landing: Landing
     segment: Callable[..., Generator[Ask[Any, Any], Any, Motion[Any, Any]]]
 
 
+    def through(self, wrap: Callable[[Chooser], Chooser]) -> Rules:
+        """The same rules, each family wrapped."""
+        wrapped: dict[str, Any] = {name: wrap(getattr(self, name)) for name in FAMILIES}
+        return replace(self, **wrapped)
+
+
+FAMILIES = ("clearance", "push", "contact", "walk", "follow", "leave", "fit")
+
+
 def look(view: View[N, B, P], motion: Motion[N, P], other: B | None) -> Sight[N]:
-    """Measure the distance to what is ahead, for a stride that ends on this edge."""
-    stride = lesser(motion.rest, view.reach(motion.at))
+    """Measure the distance to what is ahead, for a stride that ends on this edge, or in overhang."""
+    overhangs = view.beyond(motion.at).ledge
+    stride = motion.rest if overhangs else lesser(motion.rest, view.reach(motion.at))
     gap = zero_like(stride) if other is None else view.gap(motion.at, other)
     return Sight(stride, other is not None, gap, view.margin)
 
@@ -56,7 +70,7 @@ def segment(
     other = view.ahead(body, motion.at)
     sight = look(view, motion, other)
     room = rules.clearance.choose(sight).effect(sight)
-    want = Want(sight.stride, room, spare)
+    want = Want(sight.stride, room, spare, view.pushes(body))
     asked = rules.push.choose(want).effect(want)
     granted = zero_like(sight.stride)
     if other is not None and asked is not None:
@@ -70,11 +84,34 @@ def request(rules: Rules, view: View[N, B, P], body: B, distance: N, spare: int)
     """Move `body` by up to `distance >= 0` and return the distance actually moved (6.2.1; R8, R17).
 
     The front border moves first, edge by edge, with collisions; then the rear border follows by the same
-    distance. `spare` is how many further bodies the chain of requests may ask.
+    distance; then, if it is beyond a ledge, the body falls or jumps (R23), at most once (A48). `spare` is how many further bodies the chain of requests may ask.
     """
     motion = Motion(view.front(body), rest=distance, moved=zero_like(distance))
     while motion.going:
         motion = yield from rules.segment(rules, view, body, motion, spare)
     tow = Tow(view, rules.walk, view.rear(body), motion.moved)
-    view.place(body, motion.at, rules.follow.choose(tow).effect(tow))
-    return motion.moved
+    rear = rules.follow.choose(tow).effect(tow)
+    leaving = depart(rules, view, body, motion, rear)
+    placement: Placement[N, P] = rules.leave.choose(leaving).effect(leaving)
+    view.place(body, placement.front, placement.rear)
+    return placement.moved
+
+
+def depart(rules: Rules, view: View[N, B, P], body: B, motion: Motion[N, P], rear: P) -> Departure[N, P]:
+    """Look at the jump edges and the fall edge where a body is beyond the end of its edge (6.2.1; R23, R25, A20)."""
+    width, zero = view.width(body), zero_like(motion.moved)
+    gone = view.reach(rear) < zero
+    jumps = view.jumps(body, rear) if gone else ()
+    near = tuple(jump for jump in jumps if jump.across >= zero and jump.across < width)
+    return Departure(
+        view,
+        walk=rules.walk,
+        fit=rules.fit,
+        landing=rules.landing,
+        front=motion.at,
+        rear=rear,
+        moved=motion.moved,
+        width=width,
+        near=near,
+        foot=view.foot(rear) if gone else None,
+    )

@@ -12,7 +12,7 @@ from typing import Any, Generic
 from spec.number import N, Truth, zero_like
 from spec.rule import AnyFamily, Chooser, Family, Rule
 from spec.rules.push import Way
-from spec.world import P, View
+from spec.world import Beyond, P, View
 
 
 @dataclass(frozen=True)
@@ -27,13 +27,13 @@ class Motion(Generic[N, P]):
 
 @dataclass(frozen=True)
 class Step(Generic[N, P]):
-    """A motion, the way that is open to it on its edge, how far the edge reaches and what follows it."""
+    """A motion, the way that is open to it on its edge, how far the edge reaches and what lies beyond it."""
 
     view: View[N, Any, P]
     motion: Motion[N, P]
     way: Way[N]
     reach: N
-    onward: P | None
+    beyond: Beyond[P]
 
 
 def way_open(step: Step[N, P]) -> Truth:
@@ -58,12 +58,22 @@ def exceeds_edge(step: Step[N, P]) -> Truth:
 
 def edge_follows(step: Step[N, P]) -> Truth:
     """A ground edge follows."""
-    return step.onward is not None
+    return step.beyond.onward is not None
 
 
 def no_edge_follows(step: Step[N, P]) -> Truth:
     """No ground edge follows."""
-    return step.onward is None
+    return step.beyond.onward is None
+
+
+def ledge_follows(step: Step[N, P]) -> Truth:
+    """The edge ends at a ledge, or at the corner of a top."""
+    return step.beyond.ledge
+
+
+def no_ledge_follows(step: Step[N, P]) -> Truth:
+    """The edge does not end at a ledge."""
+    return not step.beyond.ledge
 
 
 def stop_after(distance: N, at: P, motion: Motion[N, P]) -> Motion[N, P]:
@@ -84,8 +94,8 @@ def move_to_the_end(step: Step[N, P]) -> Motion[N, P]:
 
 def pass_on(step: Step[N, P]) -> Motion[N, P]:
     """Move to the end of the edge and go on at the beginning of the next."""
-    assert step.onward is not None
-    ended = stop_after(step.reach, step.onward, step.motion)
+    assert step.beyond.onward is not None
+    ended = stop_after(step.reach, step.beyond.onward, step.motion)
     return replace(ended, going=True)
 
 
@@ -108,10 +118,17 @@ WALK: AnyFamily = Family(
         ),
         Rule(
             id="walk/wall",
-            sentence="Where no ground edge follows, the move ends at the end of the edge.",
+            sentence="Where no ground edge follows and no ledge, the move ends at the end of the edge.",
             source="6.2.1b; R19",
-            guard=(way_open, exceeds_edge, no_edge_follows),
+            guard=(way_open, exceeds_edge, no_edge_follows, no_ledge_follows),
             effect=move_to_the_end,
+        ),
+        Rule(
+            id="walk/overhang",
+            sentence="At a ledge a border goes on into overhang: it keeps its edge and exceeds it.",
+            source="4.3.1, 6.2.1d; R7, R16, R21, A55",
+            guard=(way_open, exceeds_edge, no_edge_follows, ledge_follows),
+            effect=move_by_the_way,
         ),
         Rule(
             id="walk/blocked",
@@ -127,7 +144,7 @@ WALK: AnyFamily = Family(
 def walk(rules: Chooser, view: View[N, Any, P], motion: Motion[N, P], way: Way[N]) -> Motion[N, P]:
     """Walk one edge, by the rule of `rules` that applies."""
     at = motion.at
-    step = Step(view, motion, way, reach=view.reach(at), onward=view.onward(at))
+    step = Step(view, motion, way, reach=view.reach(at), beyond=view.beyond(at))
     after: Motion[N, P] = rules.choose(step).effect(step)
     return after
 

@@ -1,0 +1,8 @@
+"""All claims."""
+
+from __future__ import annotations
+
+from properties.claims import ledges, string
+from properties.claims.claim import Claim
+
+CLAIMS: tuple[Claim, ...] = (*string.CLAIMS, *ledges.CLAIMS)

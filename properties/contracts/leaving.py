@@ -1,0 +1,97 @@
+"""The contract of leaving an edge: who falls, who jumps where, who is blocked; proved of the rules' own code."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from properties.contracts.request import seen_by
+from properties.given import Given
+from properties.worlds.window import Spot, Window, lonely_window, spot
+from spec.rules.leave import Departure, Placement, usable
+from spec.rules.request import Rules
+from spec.world import Jump
+
+
+def any_jump(given: Given, name: str) -> Jump[Any, Spot]:
+    """Any jump edge, up or down."""
+    drop = given.number(f"{name}: down") - given.number(f"{name}: up")
+    free = given.flag(f"{name}: its far end is free")
+    return Jump(spot(given, name), given.number(f"{name}: across"), drop, free)
+
+
+def any_departure(rules: Rules, given: Given) -> tuple[Window, Departure[Any, Spot]]:
+    """Any body after its move: its rear border on its edge or beyond a ledge; up to two near jump edges."""
+    seen = lonely_window(given, edges_long=False, ledges=True)
+    rear, moved, width = seen.start, given.number("distance moved"), given.number("width")
+    given.assume(width > 0)
+    given.assume((rear.reach >= 0) | (moved + rear.reach >= 0))
+    front = seen.along(rear, width)
+    jumps = [any_jump(given, name) for name in ("first jump", "second jump") if given.flag(f"there is a {name}")]
+    leaving = Departure(
+        seen,
+        walk=seen_by(given, rules).walk,
+        fit=seen_by(given, rules).fit,
+        landing=rules.landing,
+        front=front,
+        rear=rear,
+        moved=moved,
+        width=width,
+        near=tuple(jumps),
+        foot=spot(given, "foot") if given.flag("a fall edge begins there") else None,
+    )
+    return seen, leaving
+
+
+def leaves(rules: Rules, given: Given) -> tuple[str, Departure[Any, Spot], Placement[Any, Spot]]:
+    """What becomes of any departure, by which rule."""
+    _, leaving = any_departure(rules, given)
+    rule = seen_by(given, rules).leave.choose(leaving)
+    return rule.id, leaving, rule.effect(leaving)
+
+
+def leaving_keeps_accounts(rules: Rules, given: Given) -> None:
+    """A body that stays keeps its place; one that is blocked ends with its rear border at the ledge, and says so."""
+    rule, leaving, placed = leaves(rules, given)
+    given.ensure("moved at most as far as before, and not back", (placed.moved <= leaving.moved) & (placed.moved >= 0))
+    if rule == "leave/stay":
+        given.ensure("stays", placed.front is leaving.front and placed.rear is leaving.rear)
+        given.ensure("has a border on its edge", leaving.rear.reach >= 0)
+    if rule in ("leave/blocked", "leave/nowhere"):
+        cut = leaving.moved - placed.moved
+        given.ensure("the rear border is at the ledge", placed.rear.reach == 0)
+        given.ensure("the rear border was cut back", placed.rear.travelled == leaving.rear.travelled - cut)
+        given.ensure("the front border was cut back", placed.front.travelled == leaving.front.travelled - cut)
+    if rule in ("leave/fall", "leave/jump"):
+        given.ensure("falls and jumps end the request where it has walked", placed.moved == leaving.moved)
+        given.ensure("leaves only with both borders beyond the edge", leaving.rear.reach < 0)
+
+
+def jumps_lead_down_least(rules: Rules, given: Given) -> None:
+    """A body falls only where no jump edge is near; it jumps to a free end that does not lead up, and down least."""
+    rule, leaving, placed = leaves(rules, given)
+    if rule == "leave/fall":
+        given.ensure("nothing obstructs the fall", not leaving.near)
+        given.ensure("it lands at the foot", landed_at(placed, leaving.foot))
+    if rule == "leave/jump":
+        chosen = [jump for jump in leaving.near if landed_at(placed, jump.target)]
+        given.ensure("it lands at the end of a jump edge", len(chosen) == 1)
+        for jump in chosen:
+            given.ensure("the jump does not lead up, and its end is free", (jump.drop >= 0) & jump.free)
+            for other in usable(leaving):
+                shorter = (other.drop > jump.drop) | ((other.drop == jump.drop) & (other.across >= jump.across))
+                given.ensure("no other leads down less, or as little and is shorter", shorter)
+    if rule == "leave/blocked":
+        given.ensure("no near jump edge can be used", not usable(leaving))
+
+
+def landed_at(placed: Placement[Any, Spot], near_end: Spot | None) -> bool:
+    """Whether the rear border came down at a near end or beyond it, on its edge."""
+    return near_end is not None and placed.rear.length is near_end.length
+
+
+def landing_keeps_width(rules: Rules, given: Given) -> None:
+    """After a fall or a jump the front border is a width ahead of the rear border, along the graph or into a wall."""
+    rule, leaving, placed = leaves(rules, given)
+    if rule in ("leave/fall", "leave/jump"):
+        walked = placed.front.travelled - placed.rear.travelled
+        given.ensure("the width is kept", walked == leaving.width)
