@@ -113,13 +113,12 @@ def simulate(
         refuse(str(error))
     if not as_json:
         print(f"{record.name}: {record.note}" if record.note else record.name)
-        for line in text_lines(None, tuple(game.world.bodies)):
-            print(line)
+        print(*text_lines(None, game), sep="\n")
     for step in played:
-        if as_json:
-            print(json_line(step))
-        else:
-            print(*text_lines(step, step.bodies), sep="\n")
+        print(json_line(step, game) if as_json else "\n".join(text_lines(step, game)))
+    if record.solved is not None and record.solved != game.world.solved():
+        print(f"graphbody: {scenario}: expected solved to be {record.solved}", file=sys.stderr)
+        raise typer.Exit(1)
 
 
 @app.command()

@@ -105,13 +105,14 @@ class StepRecord(Record, frozen=True):
 
 
 class ScenarioRecord(Record, frozen=True):
-    """A scenario: a level, in the file or beside it, a profile, and steps."""
+    """A scenario: a level, in the file or beside it, a profile, and steps; `solved` says whether they reach its goal."""
 
     format: Literal["graphbody/scenario@1"]
     name: str
     level: str | LevelRecord
     steps: list[StepRecord]
     profile: str = "thesis"
+    solved: bool | None = None
     note: str = ""
 
 

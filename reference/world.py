@@ -279,6 +279,21 @@ class World(Generic[N]):
             row.order.insert(place, body)
             self.settle(row)
 
+    def pressed(self, button: EdgePosition[N]) -> bool:
+        """Whether a character stands on a button: between its borders, on its string (1.1)."""
+        row, along = self.row_of_edge[button.edge], self.coordinate(button)
+        for body in row.order:
+            after = along - self.coordinate(self.bodies[body].left)
+            if row.closed and after < zero_like(after):
+                after = after + row.length
+            if self.bodies[body].speed and after >= zero_like(after) and after <= self.width(body):
+                return True
+        return False
+
+    def solved(self) -> bool:
+        """Whether every button is pressed (1.1)."""
+        return all(self.pressed(button) for button in self.level.buttons)
+
     def copy(self) -> World[N]:
         """An independent copy, its work counted anew; the graph is shared."""
         other = copy(self)

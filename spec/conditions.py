@@ -68,7 +68,9 @@ def one_string(start: Any, asked: Any) -> Truth:
 
 def plane_start(start: Any, asked: Any) -> Truth:
     """Margins and terrain are kept."""
-    return margins_kept(start, asked) & apart(start, start.margin) & outside_terrain(start, start.margin * 0)  # type: ignore[operator]
+    return every(
+        [margins_kept(start, asked), apart(start, start.margin), outside_terrain(start, start.margin * 0)]
+    )
 
 
 def guidelines(start: Any, asked: Any) -> Truth:
