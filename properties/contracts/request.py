@@ -80,7 +80,7 @@ def drive(given: Given, running: Generator[Ask[Any, str], Any, Any], seen: Windo
 
 def any_motion(given: Given, at: Spot) -> Motion[Any, Spot]:
     """A motion anywhere in its course."""
-    return Motion(at, rest=given.number("distance left"), moved=given.number("distance moved before"))
+    return Motion(at, rest=given.number("distance left"))
 
 
 def no_more_than_asked(given: Given) -> Grant:
@@ -107,11 +107,10 @@ def segment_accounts(rules: Rules, given: Given) -> None:
     """On any edge, with any neighbour in order: what a segment says it moved is what the border moved."""
     seen = window(given, margin_kept=False, edges_long=False, ledges=True)
     _, before, after = run_segment(rules, given, seen, no_more_than_asked(given))
-    step = after.moved - before.moved
+    step = before.rest - after.rest
     given.ensure("the distance moved is where the border is", after.at.travelled == step)
     given.ensure("moved in the direction asked", step >= 0)
     given.ensure("moved at most what was asked", step <= before.rest)
-    given.ensure("what is left and what was moved make what was asked", after.rest + step == before.rest)
     given.ensure("the border is on its edge", ((after.at.reach >= 0) | seen.ledge) & (after.at.reach <= after.at.length))
 
 
@@ -155,7 +154,7 @@ def segment_exact(rules: Rules, given: Given) -> None:
     seen = window(given, margin_kept=True, edges_long=True)
     able = capacity(given, seen)
     spare, before, after = run_segment(rules, given, seen, lambda ask: lesser(ask.distance, able.neighbour))
-    limit, step = able.of_me(replace(seen, granted=seen.granted * 0), spare), after.moved - before.moved
+    limit, step = able.of_me(replace(seen, granted=seen.granted * 0), spare), before.rest - after.rest
     most = before.rest if limit is None else lesser(before.rest, limit)
     given.ensure("moves as far as possible, or is on its way there", (step <= most) & (after.going | (step == most)))
     given.ensure("has gone all of the edge, if it goes on", (not after.going) | (step == seen.start.reach))
@@ -171,21 +170,29 @@ def bystanders_keep(given: Given, seen: Window, step: Any) -> None:
 
 
 def request_is_its_segments(rules: Rules, given: Given) -> None:
-    """A request moves its front by its segments, tows its rear as far, leaves its edge if it must, and says how far.
+    """A request moves its front by its segments, as long as they go on, tows its rear as far, leaves its edge if it must,
+    and says how far it moved.
 
     Segments, towing and leaving are stood in for by their contracts.
     """
     seen = window(given, margin_kept=False, edges_long=False, ledges=True)
-    distance, went = given.number("distance asked"), given.number("distance the segments go")
+    seen = replace(seen, back=spot(given, "rear"))
+    distance, spare = given.number("distance asked"), given.natural("bodies that may be asked")
     rear_goes, ends = spot(given, "rear after the move"), Placement(object(), object(), given.number("moved in the end"))
-    starts: list[Motion[Any, Spot]] = []
+    rounds: list[Motion[Any, Spot]] = [Motion(seen.start, rest=distance)]
     tows: list[Tow[Any, Spot]] = []
     departures: list[Departure[Any, Any]] = []
 
-    def segments(rules: Rules, view: Window, body: str, motion: Motion[Any, Spot], spare: int) -> Any:
-        starts.append(motion)
+    def segments(own: Rules, view: Window, body: str, motion: Motion[Any, Spot], left: Any) -> Any:
+        given.ensure("each segment takes over from the one before", same_motion(motion, rounds[-1]))
+        given.ensure("each segment may ask as many", left == spare)
+        given.ensure("each segment is of this body, by these rules", own is stand_ins and view is seen and body == ME)
         yield from ()
-        return replace(motion, at=view.along(motion.at, went), moved=motion.moved + went, going=False)
+        went = given.number(f"distance of segment {len(rounds)}")
+        given.assume(went <= motion.rest)
+        going = len(rounds) < MOST_ROUNDS and given.flag(f"segment {len(rounds)} goes on")
+        rounds.append(Motion(view.along(motion.at, went), rest=motion.rest - went, going=going))
+        return rounds[-1]
 
     def towed(tow: Tow[Any, Spot]) -> Spot:
         tows.append(tow)
@@ -197,23 +204,29 @@ def request_is_its_segments(rules: Rules, given: Given) -> None:
 
     follow, leave = Family("follow", (stand_in(towed),)), Family("leave", (stand_in(leaves),))
     stand_ins = replace(rules, segment=segments, follow=follow, leave=leave)
-    moved = drive(given, request(stand_ins, seen, ME, distance, 0), seen, no_more_than_asked(given))
-    given.ensure("begins at the front border, with all it was asked", one_start(starts, seen, distance))
+    moved = drive(given, request(stand_ins, seen, ME, distance, spare), seen, no_more_than_asked(given))
+    went = distance - rounds[-1].rest
+    given.ensure("segments follow as long as they go on", not rounds[-1].going)
     given.ensure("the rear is towed once", len(tows) == 1)
     for tow in tows:
+        given.ensure("it is the rear that is towed", tow.rear is seen.back and tow.view is seen)
+        given.ensure("it walks by these rules", tow.walk is stand_ins.walk)
         given.ensure("the rear is towed by the distance moved", tow.moved == went)
     given.ensure("it leaves, or stays, once", len(departures) == 1)
     for leaving in departures:
-        given.ensure("it leaves from where the front went", leaving.front.travelled == went)
+        given.ensure("it leaves from where the front went", leaving.front is rounds[-1].at)
         given.ensure("it leaves from where the rear was towed", leaving.rear is rear_goes)
         given.ensure("it leaves with the distance moved", leaving.moved == went)
     given.ensure("says how far it moved", moved == ends.moved)
     given.ensure("places its own body where it came to stand, once", seen.placed == [(ME, ends.front, ends.rear)])
 
 
-def one_start(starts: list[Motion[Any, Spot]], seen: Window, distance: Any) -> Any:
-    """Whether there was one motion, from the front border, with the whole distance left and none moved."""
-    return (len(starts) == 1 and starts[0].at is seen.start) and ((starts[0].rest == distance) & (starts[0].moved == 0))
+MOST_ROUNDS = 3
+
+
+def same_motion(one: Motion[Any, Spot], other: Motion[Any, Spot]) -> Any:
+    """Whether two motions are at the same spot, with as much left."""
+    return (one.at is other.at) & (one.rest == other.rest)
 
 
 def stand_in(effect: Callable[[Any], Any]) -> AnyRule:
@@ -228,29 +241,32 @@ def rear_walks_on(rules: Rules, given: Given) -> None:
     if seen.next_length is None and not seen.ledge:
         given.assume(before.rest <= seen.start.reach)
     after = walk(seen_by(given, rules).walk, seen, before, Way(before.rest, blocked=False))
-    step = after.moved - before.moved
+    step = before.rest - after.rest
     given.ensure("the distance moved is where the border is", after.at.travelled == step)
-    given.ensure("what is left and what was moved make what was asked", after.rest + step == before.rest)
     given.ensure("it stops only when nothing is left", after.going | (after.rest == 0))
     given.ensure("it goes on only from the end of its edge", (not after.going) | (step == seen.start.reach))
     given.ensure("the border is on its edge", ((after.at.reach >= 0) | seen.ledge) & (after.at.reach <= after.at.length))
 
 
 def rear_follows_by_the_same(rules: Rules, given: Given) -> None:
-    """The rear border ends where its walks took it, and starts them with the distance its front moved."""
+    """The rear border walks from where it was by the distance its front moved, as long as its walks go on."""
     seen = window(given, margin_kept=False, edges_long=False, ledges=True)
-    moved = given.number("distance the front moved")
-    starts: list[Motion[Any, Spot]] = []
+    rounds: list[Motion[Any, Spot]] = [Motion(seen.start, rest=given.number("distance the front moved"))]
 
     def walks(step: Any) -> Motion[Any, Spot]:
-        starts.append(step.motion)
+        given.ensure("each walk takes over from the one before", same_motion(step.motion, rounds[-1]))
         given.ensure("the rear does not look", not step.way.blocked)
-        return replace(step.motion, at=seen.along(step.motion.at, step.motion.rest), going=False)
+        given.ensure("its way is open as far as it goes", step.way.distance == step.motion.rest)
+        went = given.number(f"distance of walk {len(rounds)}")
+        given.assume(went <= step.motion.rest)
+        going = len(rounds) < MOST_ROUNDS and given.flag(f"walk {len(rounds)} goes on")
+        rounds.append(Motion(seen.along(step.motion.at, went), rest=step.motion.rest - went, going=going))
+        return rounds[-1]
 
-    tow = Tow(seen, Family("walk", (stand_in(walks),)), seen.start, moved)
+    tow = Tow(seen, Family("walk", (stand_in(walks),)), seen.start, rounds[0].rest)
     ends = seen_by(given, rules).follow.choose(tow).effect(tow)
-    given.ensure("the rear ends the distance moved further on", ends.travelled == moved)
-    given.ensure("begins at the rear border, with the distance moved", one_start(starts, seen, moved))
+    given.ensure("walks follow as long as they go on", not rounds[-1].going)
+    given.ensure("the rear ends where its walks went", ends is rounds[-1].at)
 
 
 def segment_is_a_function(rules: Rules, given: Given) -> None:
@@ -258,7 +274,7 @@ def segment_is_a_function(rules: Rules, given: Given) -> None:
     first, again = (window(given, margin_kept=False, edges_long=False, ledges=True) for _ in range(2))
     _, _, one = run_segment(rules, given, first, no_more_than_asked(given))
     _, _, two = run_segment(rules, given, again, no_more_than_asked(given))
-    given.ensure("the same distance", (one.moved == two.moved) & (one.rest == two.rest))
+    given.ensure("the same distance", one.rest == two.rest)
     given.ensure("the same border", (one.at.travelled == two.at.travelled) & (one.at.reach == two.at.reach))
     given.ensure("the same requests", len(first.asks) == len(again.asks))
 

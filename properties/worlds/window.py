@@ -39,6 +39,7 @@ class Window:
     gap_before: Any
     granted: Any
     may_push: bool
+    back: Spot | None = None
     ledge: bool = False
     body_width: Any = 0
     below: Spot | None = None
@@ -51,8 +52,9 @@ class Window:
         return self.start
 
     def rear(self, body: str) -> Spot:
-        """The rear border's walk begins at a spot of its own, for which this window stands too."""
-        return self.start
+        """Where the rear border is, if the window shows it."""
+        assert self.back is not None
+        return self.back
 
     def reach(self, at: Spot) -> Any:
         """Distance to the end of the edge."""

@@ -12,8 +12,7 @@ from typing import Any, Generic
 
 from spec.number import N, Truth, zero_like
 from spec.rule import AnyFamily, Chooser, Family, Rule
-from spec.rules.push import Way
-from spec.rules.walk import Motion, walk
+from spec.rules.walk import Motion, walk_freely
 from spec.world import Jump, P, View
 
 
@@ -112,9 +111,7 @@ def stop_at_the_ledge(leaving: Departure[N, P]) -> Placement[N, P]:
 def land_at(leaving: Departure[N, P], near_end: P) -> Placement[N, P]:
     """Come down at the near end of an edge, the front border a width ahead along the graph."""
     rear = leaving.landing(leaving, near_end)
-    motion = Motion(rear, rest=leaving.width, moved=zero_like(leaving.moved))
-    while motion.going:
-        motion = walk(leaving.walk, leaving.view, motion, Way(motion.rest, blocked=False))
+    motion = walk_freely(leaving.walk, leaving.view, rear, leaving.width)
     front = leaving.fit.choose(motion).effect((leaving.view, motion))
     return Placement(front, rear, leaving.moved)
 

@@ -86,20 +86,20 @@ def request(rules: Rules, view: View[N, B, P], body: B, distance: N, spare: int)
     The front border moves first, edge by edge, with collisions; then the rear border follows by the same
     distance; then, if it is beyond a ledge, the body falls or jumps (R23), at most once (A48). `spare` is how many further bodies the chain of requests may ask.
     """
-    motion = Motion(view.front(body), rest=distance, moved=zero_like(distance))
+    motion = Motion(view.front(body), rest=distance)
     while motion.going:
         motion = yield from rules.segment(rules, view, body, motion, spare)
-    tow = Tow(view, rules.walk, view.rear(body), motion.moved)
+    tow = Tow(view, rules.walk, view.rear(body), distance - motion.rest)
     rear = rules.follow.choose(tow).effect(tow)
-    leaving = depart(rules, view, body, motion, rear)
+    leaving = depart(rules, view, body, motion.at, rear, tow.moved)
     placement: Placement[N, P] = rules.leave.choose(leaving).effect(leaving)
     view.place(body, placement.front, placement.rear)
     return placement.moved
 
 
-def depart(rules: Rules, view: View[N, B, P], body: B, motion: Motion[N, P], rear: P) -> Departure[N, P]:
+def depart(rules: Rules, view: View[N, B, P], body: B, front: P, rear: P, moved: N) -> Departure[N, P]:
     """Look at the jump edges and the fall edge where a body is beyond the end of its edge (6.2.1; R23, R25, A20)."""
-    width, zero = view.width(body), zero_like(motion.moved)
+    width, zero = view.width(body), zero_like(moved)
     gone = view.reach(rear) < zero
     jumps = view.jumps(body, rear) if gone else ()
     near = tuple(jump for jump in jumps if jump.across >= zero and jump.across < width)
@@ -108,9 +108,9 @@ def depart(rules: Rules, view: View[N, B, P], body: B, motion: Motion[N, P], rea
         walk=rules.walk,
         fit=rules.fit,
         landing=rules.landing,
-        front=motion.at,
+        front=front,
         rear=rear,
-        moved=motion.moved,
+        moved=moved,
         width=width,
         near=near,
         foot=view.foot(rear) if gone else None,

@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import Any, Generic
 
-from spec.number import N, Truth, zero_like
+from spec.number import N, Truth
 from spec.rule import AnyFamily, Chooser, Family, Rule
 from spec.rules.push import Way
 from spec.world import Beyond, P, View
@@ -17,11 +17,14 @@ from spec.world import Beyond, P, View
 
 @dataclass(frozen=True)
 class Motion(Generic[N, P]):
-    """A border under way: where it is, what is left of the distance asked, what it has moved so far."""
+    """A border under way: where it is, and what is left of the distance asked.
+
+    What it has moved is what was asked less what is left. So, in floats too, a border that nothing stopped has moved
+    by exactly what was asked.
+    """
 
     at: P
     rest: N
-    moved: N
     going: bool = True
 
 
@@ -78,7 +81,7 @@ def no_ledge_follows(step: Step[N, P]) -> Truth:
 
 def stop_after(distance: N, at: P, motion: Motion[N, P]) -> Motion[N, P]:
     """The motion, ended at a position `distance` further on."""
-    return Motion(at, rest=motion.rest - distance, moved=motion.moved + distance, going=False)
+    return Motion(at, rest=motion.rest - distance, going=False)
 
 
 def move_by_the_way(step: Step[N, P]) -> Motion[N, P]:
@@ -149,6 +152,14 @@ def walk(rules: Chooser, view: View[N, Any, P], motion: Motion[N, P], way: Way[N
     return after
 
 
+def walk_freely(rules: Chooser, view: View[N, Any, P], at: P, distance: N) -> Motion[N, P]:
+    """Walk a border by a distance, edge by edge, on an open way."""
+    motion = Motion(at, rest=distance)
+    while motion.going:
+        motion = walk(rules, view, motion, Way(motion.rest, blocked=False))
+    return motion
+
+
 @dataclass(frozen=True)
 class Tow(Generic[N, P]):
     """The rear border of a body whose front border has moved by `moved`; it walks by the rules `walk`."""
@@ -161,10 +172,7 @@ class Tow(Generic[N, P]):
 
 def follow_by_the_same(tow: Tow[N, P]) -> P:
     """Walk the rear border by the distance moved, on an open way."""
-    motion = Motion(tow.rear, rest=tow.moved, moved=zero_like(tow.moved))
-    while motion.going:
-        motion = walk(tow.walk, tow.view, motion, Way(motion.rest, blocked=False))
-    return motion.at
+    return walk_freely(tow.walk, tow.view, tow.rear, tow.moved).at
 
 
 FOLLOW: AnyFamily = Family(
