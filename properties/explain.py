@@ -8,8 +8,8 @@ from inspect import getdoc
 from os.path import relpath
 from typing import Any
 
-from properties.claims.claim import Claim
 from properties.claims.catalogue import CLAIMS
+from properties.claims.claim import Claim
 from reference.play import library, play
 from spec.readings import Reading
 from spec.registry import Statement, statements

@@ -22,7 +22,7 @@ def position(at: EdgePosition[Any], game: Game[Any]) -> str:
 
 
 def text_lines(step: Played[Any] | None, game: Game[Any]) -> Iterator[str]:
-    """What was asked and moved, the rules that fired for each body, where all bodies are, whether the goal is reached."""
+    """What was asked and moved, the rules that fired, where all bodies are, and whether the goal is reached."""
     for event in step.events if step is not None else []:
         yield f"\n{event.body} asked {event.distance}, moved {event.moved}; chain of {event.depth}"
         fired: dict[str, list[str]] = {}
@@ -45,6 +45,7 @@ def json_line(step: Played[Any], game: Game[Any]) -> str:
             "distance": number_text(event.distance),
             "moved": number_text(event.moved),
             "depth": event.depth,
+            "work": event.work,
             "fired": [{"body": body, "rule": rule} for body, rule in event.fired],
         }
         for event in step.events

@@ -105,7 +105,7 @@ class StepRecord(Record, frozen=True):
 
 
 class ScenarioRecord(Record, frozen=True):
-    """A scenario: a level, in the file or beside it, a profile, and steps; `solved` says whether they reach its goal."""
+    """A scenario: a level, in the file or beside it, a profile and steps; `solved`: whether they reach its goal."""
 
     format: Literal["graphbody/scenario@1"]
     name: str
@@ -129,9 +129,16 @@ def read(path: Path, kind: type[T]) -> T:
     except msgspec.ValidationError as error:
         found = PLACE.fullmatch(str(error))
         place, problem = (found["place"], found["problem"]) if found else ("$", str(error))
-        raise FormatError(f"{path}: {place}: {problem}") from None
-    except (msgspec.DecodeError, UnicodeDecodeError, RecursionError) as error:
-        raise FormatError(f"{path}: not JSON: {error}") from None
+        raise FormatError(one_line(f"{path}: {place}: {problem}")) from None
+    except (msgspec.DecodeError, RecursionError) as error:
+        raise FormatError(one_line(f"{path}: not JSON: {error}")) from None
+    except ValueError as error:
+        raise FormatError(one_line(f"{str(path)!r}: {error}")) from None
+
+
+def one_line(text: str) -> str:
+    """A text with whatever would break its line escaped."""
+    return "".join(char if char.isprintable() else repr(char)[1:-1] for char in text)
 
 
 def exact(value: Number, place: str) -> Fraction:
@@ -140,6 +147,8 @@ def exact(value: Number, place: str) -> Fraction:
     Raises:
         LevelError: if it is no number, or has too many digits.
     """
+    if isinstance(value, int) and abs(value) >= 10**MOST_DIGITS:
+        raise LevelError(place, f"expected at most {MOST_DIGITS} digits")
     if isinstance(value, str):
         if len(value) > MOST_DIGITS:
             raise LevelError(place, f"expected at most {MOST_DIGITS} characters, got {len(value)}")
@@ -209,7 +218,11 @@ def graph_of(record: LevelRecord, place: str) -> Graph[Fraction]:
         raise LevelError(f"{place}.vertices", "expected two vertices or more (one on a cylinder)")
     try:
         if record.edges is not None:
-            return explicit([explicit_edge(edge, i, len(vertices), place) for i, edge in enumerate(record.edges)], vertices, circumference)
+            return explicit(
+                [explicit_edge(edge, i, len(vertices), place) for i, edge in enumerate(record.edges)],
+                vertices,
+                circumference,
+            )
         check_left_to_right(vertices, circumference, place)
         return polyline(vertices, circumference)
     except (IrrationalLength, NoLength) as error:

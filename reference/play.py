@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Iterator
 from dataclasses import dataclass
+from fractions import Fraction
 from pathlib import Path
 from typing import Any, Generic
 
@@ -17,14 +19,15 @@ from reference.formats import (
     level_of,
     read_scenario,
 )
-from reference.world import LevelError, world_of
 from reference.simulator import Event, Game
+from reference.world import LevelError, world_of
 from spec.body import Body
 from spec.graph import Direction
 from spec.number import N
 from spec.profiles import PROFILES
 
 LIBRARY = Path(__file__).parent
+LARGEST_FLOAT = Fraction(sys.float_info.max)
 
 
 @dataclass(frozen=True)
@@ -54,10 +57,19 @@ def set_up(scenario: ScenarioRecord, level: LevelRecord, floats: bool) -> Game[A
     names = {body.name for body in held.bodies}
     for i, step in enumerate(scenario.steps):
         if step.request is not None:
-            exact(step.request.distance, f"$.steps[{i}].request.distance")
+            check_distance(exact(step.request.distance, f"$.steps[{i}].request.distance"), i, floats)
             if step.request.body not in names:
                 raise LevelError(f"$.steps[{i}].request.body", f"no body is named {step.request.body!r}")
-    return Game(PROFILES[scenario.profile], in_floats(held) if floats else held)
+    try:
+        return Game(PROFILES[scenario.profile], in_floats(held) if floats else held)
+    except OverflowError:
+        raise LevelError("$.level", "expected numbers that fit into a float") from None
+
+
+def check_distance(distance: Fraction, step: int, floats: bool) -> None:
+    """Refuse a distance that is too large to be computed with."""
+    if floats and abs(distance) > LARGEST_FLOAT:
+        raise LevelError(f"$.steps[{step}].request.distance", "expected a number that fits into a float")
 
 
 def steps(game: Game[Any], scenario: ScenarioRecord, floats: bool) -> Iterator[Played[Any]]:

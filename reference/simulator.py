@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Generator
-from dataclasses import dataclass, field
+from dataclasses import asdict, dataclass, field
 from typing import Any, Generic
 
-from reference.world import World, world_of
+from reference.world import Work, World
 from spec.body import Level
 from spec.graph import Direction
 from spec.number import N, greater, zero_like
@@ -15,14 +15,36 @@ from spec.rule import AnyRule, Chooser
 from spec.rules.request import Ask, Rules, request
 
 
+class Endless(Exception):
+    """A request has fired more rules than it was given: it does not seem to end."""
+
+
 @dataclass
 class Record:
-    """What happened in one request: the rules that fired, each with its body, and the chain of requests."""
+    """What happened in one request: the rules that fired, each with its body, and the longest chain of requests.
+
+    `most` is how many rules may fire, if there is to be a limit.
+    """
 
     body: int
+    most: int | None = None
     fired: list[tuple[int, str]] = field(default_factory=list)
-    asked: list[Ask[Any, int]] = field(default_factory=list)
     depth: int = 1
+
+    def note(self, rule: str) -> None:
+        """Note that a rule fired.
+
+        Raises:
+            Endless: if too many have.
+        """
+        self.fired.append((self.body, rule))
+        if self.most is not None and len(self.fired) > self.most:
+            raise Endless(f"more than {self.most} rules fired")
+
+    @property
+    def transitions(self) -> int:
+        """How often a border has passed on to the next edge."""
+        return sum(rule == "walk/onward" for _, rule in self.fired)
 
 
 @dataclass(frozen=True)
@@ -35,7 +57,7 @@ class Heard:
     def choose(self, facts: Any) -> AnyRule:
         """Return the rule that applies, recorded."""
         rule = self.family.choose(facts)
-        self.record.fired.append((self.record.body, rule.id))
+        self.record.note(rule.id)
         return rule
 
 
@@ -61,15 +83,20 @@ def fulfil(start: Ask[N, int], begin: Callable[[Ask[N, int]], Generator[Ask[N, i
             if not chain:
                 return answer  # type: ignore[no-any-return]
         else:
-            record.asked.append(ask)
             chain.append((ask.body, begin(ask)))
             record.depth = max(record.depth, len(chain))
             answer = None
 
 
-def move(profile: Profile, world: World[N], body: int, direction: Direction, distance: N) -> tuple[N, Record]:
-    """Request `body` to move by `distance >= 0` in a direction; return the distance moved and the record."""
-    record = Record(body)
+def move(
+    profile: Profile, world: World[N], body: int, direction: Direction, distance: N, most: int | None = None
+) -> tuple[N, Record]:
+    """Request `body` to move by `distance >= 0` in a direction; return the distance moved and the record.
+
+    Raises:
+        Endless: if more than `most` rules fire.
+    """
+    record = Record(body, most)
     rules, view = heard(profile.rules, record), world.facing(direction)
     limit = profile.push_limit(len(world.bodies))
 
@@ -81,29 +108,29 @@ def move(profile: Profile, world: World[N], body: int, direction: Direction, dis
 
 @dataclass(frozen=True)
 class Event(Generic[N]):
-    """One request of a game: who was to move how far (negative to the left), how far it did, and how."""
+    """One request of a game: who was to move how far (negative to the left), how far it did, how, and at what cost.
+
+    `work` counts collision queries, edge look-ups and transitions to a next edge.
+    """
 
     body: str
     distance: N
     moved: N
     fired: tuple[tuple[str, str], ...]
     depth: int
+    work: dict[str, int]
 
 
 @dataclass
 class Game(Generic[N]):
-    """A level being played under a profile: requests and ticks, one after another."""
+    """A valid level being played under a profile: requests and ticks, one after another."""
 
     profile: Profile
     level: Level[N]
 
     def __post_init__(self) -> None:
-        """Set the level up.
-
-        Raises:
-            LevelError: if the level is not in the domain of the rules.
-        """
-        self.world = world_of(self.level)
+        """Set the level up; that it is valid is for `world_of` to check, in exact numbers."""
+        self.world = World(self.level)
         self.handles = {body.name: handle for handle, body in enumerate(self.level.bodies)}
 
     def request(self, body: str, distance: N) -> Event[N]:
@@ -111,9 +138,11 @@ class Game(Generic[N]):
         zero = zero_like(distance)
         direction = Direction.LEFT if distance < zero else Direction.RIGHT
         size = greater(distance, zero - distance)
+        self.world.work = Work()
         moved, record = move(self.profile, self.world, self.handles[body], direction, size)
+        work = {**asdict(self.world.work), "transitions": record.transitions}
         fired = tuple((self.world.bodies[handle].name, rule) for handle, rule in record.fired)
-        return Event(body, distance, moved * direction, fired, record.depth)
+        return Event(body, distance, moved * direction, fired, record.depth, work)
 
     def tick(self, direction: Direction) -> list[Event[N]]:
         """One tick with one key held: each character in turn moves by its speed times the tick (R1, R4)."""

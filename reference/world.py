@@ -519,6 +519,6 @@ def world_of(level: Level[N]) -> World[N]:
     for left, right in world.neighbours():
         clear = world.clear(left, right)
         if clear < level.margin:
-            names = f"{world.bodies[left].name} and {world.bodies[right].name}"
+            names = f"{world.bodies[left].name!r} and {world.bodies[right].name!r}"
             raise LevelError(f"$.bodies[{right}]", f"{names} are {clear} apart, less than the margin")
     return world

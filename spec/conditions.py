@@ -6,8 +6,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
-from spec.invariants import every
 from spec.graph import EdgeType
+from spec.invariants import every
 from spec.number import N, Truth, zero_like
 from spec.plane import apart, outside_terrain
 from spec.world import State
@@ -53,12 +53,19 @@ def room_between(start: State[N]) -> N:
     return room
 
 
-def at_most_once_round(start: State[N], asked: N) -> Truth:
-    """On a ring, the distance is at most its circumference."""
+def at_most_half_round(start: State[N], asked: N) -> Truth:
+    """A body alone on a ring is asked for at most half of it."""
+    if not start.closed or len(start.bodies_in_order()) > 1:
+        return True
     round_ = zero_like(asked)
     for length in start.edge_lengths():
         round_ = round_ + length
-    return not start.closed or asked <= round_
+    return asked * 2 <= round_
+
+
+def halves_long(start: State[N], asked: N) -> Truth:
+    """Every edge is at least two margins long, so that its halves are no shorter than one."""
+    return every(length >= start.margin * 2 for length in start.edge_lengths())
 
 
 def one_string(start: Any, asked: Any) -> Truth:
@@ -68,18 +75,14 @@ def one_string(start: Any, asked: Any) -> Truth:
 
 def plane_start(start: Any, asked: Any) -> Truth:
     """Margins and terrain are kept."""
-    return every(
-        [margins_kept(start, asked), apart(start, start.margin), outside_terrain(start, start.margin * 0)]
-    )
+    return every([margins_kept(start, asked), apart(start, start.margin), outside_terrain(start, start.margin * 0)])
 
 
 def guidelines(start: Any, asked: Any) -> Truth:
     """All guidelines hold; one layer is what joining the vertices from left to right gives."""
     graph, sizes = start.graph, [(start.width(body), start.bodies[body].height) for body in start.handles()]
     width, height = sizes[0]
-    layered = all(
-        edge.left == index and edge.right in (index + 1, 0) for index, edge in enumerate(graph.edges)
-    )
+    layered = all(edge.left == index and edge.right in (index + 1, 0) for index, edge in enumerate(graph.edges))
     return every(
         [
             layered,
@@ -114,11 +117,17 @@ FREE_SPACE = Condition(
     "4.2; A7",
     fits_into_the_ring,
 )
-ONCE_ROUND = Condition(
-    "condition/once-round",
-    "On a ring, no request asks for more than once round: a body alone on it would go round and round.",
+HALF_ROUND = Condition(
+    "condition/half-round",
+    "A body alone on a ring is asked for at most half a round: borders tell how far it came only once round.",
     "4.2; A7",
-    at_most_once_round,
+    at_most_half_round,
+)
+HALVES_LONG = Condition(
+    "condition/halves-long",
+    "An edge is split into two that are no shorter than the collision margin.",
+    "6.2.1; A12",
+    halves_long,
 )
 ONE_STRING = Condition(
     "condition/one-string",
@@ -141,4 +150,14 @@ GUIDELINES = Condition(
     guidelines,
 )
 
-CONDITIONS: tuple[Condition, ...] = (IN_ORDER, MARGINS_KEPT, EDGES_LONG, FREE_SPACE, ONCE_ROUND, ONE_STRING, PLANE_START, GUIDELINES)
+CONDITIONS: tuple[Condition, ...] = (
+    IN_ORDER,
+    MARGINS_KEPT,
+    EDGES_LONG,
+    FREE_SPACE,
+    HALF_ROUND,
+    HALVES_LONG,
+    ONE_STRING,
+    PLANE_START,
+    GUIDELINES,
+)

@@ -73,16 +73,21 @@ def order_kept(deed: Deed[N]) -> Truth:
 
 
 def terminates(deed: Deed[N]) -> Truth:
-    """The chain keeps the push limit; the rules that fired keep the bound.
+    """The chain keeps the push limit, and no body is in it twice."""
+    return deed.depth <= min(deed.limit, len(deed.before.bodies_in_order()))
+
+
+def rules_bounded(deed: Deed[N]) -> Truth:
+    """The rules that fired keep the bound.
 
     Let n be the number of bodies, and e one more than that of edges, which is the most segments that a border
     makes on its way along the string (once round a ring at most). The mover makes e segments, and asks its
     neighbour once in each; the neighbour makes as many, and one more for each edge that it passes on to; so the
     k-th body makes k e, and all together n (n + 1) e / 2. A segment fires four rules; the request that it may
-    make fires `follow/rear` and the walks of the rear border, which add no more than three a segment.
+    make fires `follow/rear`, `leave/stay` and the walks of the rear border, which add no more than four a segment.
     """
     bodies, edges = len(deed.before.bodies_in_order()), len(deed.before.edge_lengths()) + 1
-    return deed.depth <= deed.limit and deed.fired <= 7 * edges * bodies * (bodies + 1) // 2
+    return deed.fired <= 8 * edges * bodies * (bodies + 1) // 2
 
 
 def rigid_width(deed: Deed[N]) -> Truth:
@@ -181,10 +186,16 @@ ORDER = Invariant(
 )
 TERMINATION = Invariant(
     "invariant/termination",
-    "Pushing terminates: a chain of requests has at most as many bodies as the push limit, and the rules that "
-    "fire are bounded by the numbers of bodies and edges.",
+    "Pushing terminates: a chain of requests has at most as many bodies as the push limit, and no body twice.",
     "4.2; R6, R31, A5",
     terminates,
+)
+RULE_COUNT = Invariant(
+    "invariant/rule-count",
+    "The rules that fire in a request are at most eight times its bodies times the edges and one, times the bodies "
+    "and one, halved.",
+    "4.2; R6, R31",
+    rules_bounded,
 )
 RIGID_WIDTH = Invariant(
     "invariant/rigid-width", "No request changes the width of a body.", "4.3.1; R8, A31", rigid_width
@@ -222,6 +233,7 @@ OF_ONE_REQUEST: tuple[Invariant, ...] = (
     NO_OVERLAP,
     ORDER,
     TERMINATION,
+    RULE_COUNT,
     RIGID_WIDTH,
     ON_GRAPH,
     AT_MOST_ASKED,

@@ -47,7 +47,7 @@ def box(world: Any, body: int) -> Box[Any] | None:
     """The box of a body that stands level; None on a slope."""
     held = world.bodies[body]
     (left, bottom), (right, right_bottom) = world.point(held.left), world.point(held.right)
-    if not bottom == right_bottom:
+    if bottom != right_bottom:
         return None
     circumference = world.graph.circumference
     if circumference is not None and right < left:
@@ -207,4 +207,3 @@ IN_PLANE: tuple[Invariant, ...] = (
     HEIGHT_KEPT,
     HORIZONTAL,
 )
-

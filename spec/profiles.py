@@ -40,8 +40,6 @@ THESIS = Profile(
     tick_order=TICK_ORDER.choice,
 )
 
-OVERSHOOT = replace(
-    THESIS, name="thesis/overshoot", rules=replace(THESIS.rules, landing=LANDING_OVERSHOOT.choice)
-)
+OVERSHOOT = replace(THESIS, name="thesis/overshoot", rules=replace(THESIS.rules, landing=LANDING_OVERSHOOT.choice))
 
 PROFILES: dict[str, Profile] = {profile.name: profile for profile in (THESIS, OVERSHOOT)}

@@ -37,10 +37,6 @@ class Rule(Generic[Facts, Result]):
         """Whether every conjunct of the guard holds."""
         return all(conjunct(facts) for conjunct in self.guard)
 
-    def conjuncts(self, facts: Facts) -> dict[str, bool]:
-        """Each conjunct by name, true or false: why the rule applies or does not."""
-        return {conjunct.__name__: bool(conjunct(facts)) for conjunct in self.guard}
-
 
 @dataclass(frozen=True)
 class Family(Generic[Facts, Result]):

@@ -27,7 +27,9 @@ def mirror(level: Level[N]) -> Level[N]:
     last = len(graph.edges) - 1
     names = vertex_count(graph) - 1
     vertices = tuple(Vertex(zero_like(v.x) - v.x, v.y) for v in reversed(graph.vertices))
-    edges = tuple(replace(e, left=names - e.right, right=names - e.left, rise=e.rise * -1) for e in reversed(graph.edges))
+    edges = tuple(
+        replace(e, left=names - e.right, right=names - e.left, rise=e.rise * -1) for e in reversed(graph.edges)
+    )
 
     def seen_from_behind(at: EdgePosition[N]) -> EdgePosition[N]:
         return EdgePosition(last - at.edge, graph.edges[at.edge].length - at.location)

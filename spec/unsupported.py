@@ -119,9 +119,7 @@ def ledge_under(deed: Deed[Any]) -> Truth:
     """Whether a ledge that does not lead up begins in the middle of the top on which the mover stood."""
     width = deed.before.width(deed.before.support(deed.body))  # type: ignore[attr-defined]
     zero = deed.asked * 0
-    return some(
-        [(across < zero) & (across + width > zero) & (drop >= zero) for across, drop in facing_ledges(deed)]
-    )
+    return some([(across < zero) & (across + width > zero) & (drop >= zero) for across, drop in facing_ledges(deed)])
 
 
 def sharp_ledge(deed: Deed[Any], fired: frozenset[str]) -> Truth:

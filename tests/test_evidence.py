@@ -5,8 +5,8 @@ from pathlib import Path
 
 import pytest
 
-from properties.claims.claim import Verdict
 from properties.claims.catalogue import CLAIMS
+from properties.claims.claim import Verdict
 from properties.contracts.request import judged
 from properties.engine.explore import explore
 from properties.evidence import settle as settling

@@ -5,9 +5,16 @@ from fractions import Fraction
 
 import pytest
 from hypothesis import HealthCheck, settings, strategies as st
-from hypothesis.stateful import RuleBasedStateMachine, initialize, invariant, precondition, rule, run_state_machine_as_test
+from hypothesis.stateful import (
+    RuleBasedStateMachine,
+    initialize,
+    invariant,
+    precondition,
+    rule,
+    run_state_machine_as_test,
+)
 
-from properties.strategies.rows import eighths
+from properties.strategies.rows import multiples
 from properties.strategies.scenes import levels_with_ledges
 from reference.formats import in_floats
 from reference.simulator import Game
@@ -16,9 +23,16 @@ from spec.invariants import Deed
 from spec.plane import heights, supports_end
 from spec.profiles import OVERSHOOT, THESIS
 
-FLOORS = {"falls": 0.03, "jumps": 0.02, "is blocked at a ledge": 0.02, "rides": 0.1, "pushes": 0.05, "meets a wall": 0.05}
+FLOORS = {
+    "falls": 0.03,
+    "jumps": 0.02,
+    "is blocked at a ledge": 0.02,
+    "rides": 0.1,
+    "pushes": 0.05,
+    "meets a wall": 0.05,
+}
 SEEN: Counter[str] = Counter()
-DISTANCES = st.one_of(st.sampled_from([Fraction(n) for n in (1, 2, 3, 5)]), eighths(1), eighths(12))
+DISTANCES = st.one_of(st.sampled_from([Fraction(n) for n in (1, 2, 3, 5)]), multiples(8, 1), multiples(8, 12))
 
 
 class AnyGame(RuleBasedStateMachine):
@@ -108,4 +122,3 @@ def test_any_game(machine):
     shares = {name: SEEN[name] / SEEN["requests"] for name in FLOORS}
     print(f"{SEEN['requests']} requests: {shares}")
     assert {name for name, floor in FLOORS.items() if shares[name] < floor} == set()
-

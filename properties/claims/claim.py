@@ -26,10 +26,18 @@ class Verdict(StrEnum):
 
 @dataclass(frozen=True)
 class Obligation:
-    """Something to be proved for all values. `bodies` is None if it speaks of any number of bodies."""
+    """Something to be proved for all values.
+
+    Attributes:
+        needs: the IDs of the conditions it assumes, which a claim must list that rests on it.
+        shape: None if it speaks of any number of bodies and edges; else the kind of string it is about.
+        bodies: the number of bodies on such a string, or None for any.
+    """
 
     id: str
     program: Callable[[Profile, Given], None]
+    needs: tuple[str, ...] = ()
+    shape: str | None = None
     bodies: int | None = None
 
 

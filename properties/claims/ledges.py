@@ -11,7 +11,17 @@ from properties.contracts import leaving
 from spec.conditions import GUIDELINES, PLANE_START
 from spec.invariants import Deed, Invariant
 from spec.number import Truth
-from spec.plane import APART, HEIGHT_KEPT, HORIZONTAL, NEVER_RAISED, PLANE_MARGIN, SUPPORTS_END, TERRAIN, bodies_apart, negated
+from spec.plane import (
+    APART,
+    HEIGHT_KEPT,
+    HORIZONTAL,
+    NEVER_RAISED,
+    PLANE_MARGIN,
+    SUPPORTS_END,
+    TERRAIN,
+    bodies_apart,
+    negated,
+)
 from spec.profiles import OVERSHOOT, THESIS, Profile
 from spec.unsupported import CASES, Case, jumps_into_what_leads_up, jumps_onto_a_ridden_top
 
@@ -55,7 +65,16 @@ def hunted(
     """A claim about all small scenes that keep the guidelines, with from .. to so many bodies."""
     hunt = Hunt(name, promise, guided=True, most_bodies=bodies[1], most_edges=edges, least_bodies=bodies[0])
     return Claim(
-        f"claim/{name}{suffix(profile)}", "plane", sentence, source, about, profile, PREMISES, expected, hunt=hunt, long=long
+        f"claim/{name}{suffix(profile)}",
+        "plane",
+        sentence,
+        source,
+        about,
+        profile,
+        PREMISES,
+        expected,
+        hunt=hunt,
+        long=long,
     )
 
 
@@ -71,7 +90,16 @@ def of_invariant(
     """The claim that an invariant holds in all small scenes that keep the guidelines."""
     own = name or invariant.id.removeprefix("invariant/")
     return hunted(
-        own, invariant.id, invariant.sentence, invariant.source, profile, always(invariant), expected, bodies, edges, long
+        own,
+        invariant.id,
+        invariant.sentence,
+        invariant.source,
+        profile,
+        always(invariant),
+        expected,
+        bodies,
+        edges,
+        long,
     )
 
 
@@ -97,8 +125,8 @@ LEAVING: tuple[Claim, ...] = (
     Claim(
         id="claim/leaves-only-beyond",
         family="ledges",
-        sentence="A body falls or jumps only with both borders beyond the end of its edge; else it stays, or is cut back "
-        "to the ledge.",
+        sentence="A body falls or jumps only with both borders beyond the end of its edge; else it stays, or is "
+        "cut back to the ledge.",
         source="6.2.1d, 6.2.1e; R21, R22, R23, A14, A24",
         about="leave",
         profile=THESIS,

@@ -8,7 +8,7 @@ from typing import Any
 from properties.claims.claim import Claim, Count, Erratum, Obligation, Verdict
 from properties.contracts import counts, errata, families, request, rows
 from properties.given import Given
-from spec.conditions import EDGES_LONG, FREE_SPACE, IN_ORDER, MARGINS_KEPT, ONCE_ROUND, ONE_STRING
+from spec.conditions import EDGES_LONG, FREE_SPACE, HALF_ROUND, HALVES_LONG, IN_ORDER, MARGINS_KEPT, ONE_STRING
 from spec.graph import Direction
 from spec.invariants import (
     ADDITIVE,
@@ -24,6 +24,7 @@ from spec.invariants import (
     ON_GRAPH,
     ORDER,
     RIGID_WIDTH,
+    RULE_COUNT,
     TERMINATION,
     TRANSLATION,
     Invariant,
@@ -35,24 +36,39 @@ from spec.rules.request import Rules
 PROVED, BOUNDED, TESTED, REFUTED = Verdict.PROVED, Verdict.BOUNDED, Verdict.TESTED, Verdict.REFUTED
 
 
-def of_rules(program: Callable[[Rules, Given], None]) -> Obligation:
+ORDERED, KEPT, LONG, FREE = IN_ORDER.id, MARGINS_KEPT.id, EDGES_LONG.id, FREE_SPACE.id
+HALF, HALVES, STRING = HALF_ROUND.id, HALVES_LONG.id, ONE_STRING.id
+
+
+def of_rules(program: Callable[[Rules, Given], None], *needs: str) -> Obligation:
     """An obligation on the rules, for any number of bodies and edges."""
 
     def of_profile(profile: Profile, given: Given) -> None:
         program(profile.rules, given)
 
-    return Obligation(f"{program.__module__.rpartition('.')[2]}/{program.__name__.replace('_', '-')}", of_profile)
+    return Obligation(
+        f"{program.__module__.rpartition('.')[2]}/{program.__name__.replace('_', '-')}", of_profile, needs
+    )
 
 
-def of_rows(program: Callable[..., None], bodies: int, edges: int, closed: bool, **more: Any) -> Obligation:
-    """An obligation on whole rows of a fixed size."""
-    shape = f"{bodies} on a {'ring' if closed else 'line'} of {edges}"
+def of_rows(
+    program: Callable[..., None],
+    bodies: int,
+    edges: int,
+    closed: bool,
+    *needs: str,
+    any_bodies: bool = False,
+    **more: Any,
+) -> Obligation:
+    """An obligation on whole strings of a fixed size. `any_bodies`: what it shows of one border holds of all."""
+    shape = "ring" if closed else "line"
     extra = "".join(f", {getattr(value, 'name', value)}" for value in more.values()).lower()
 
     def of_profile(profile: Profile, given: Given) -> None:
         program(profile, given, bodies=bodies, edges=edges, closed=closed, **more)
 
-    return Obligation(f"rows/{program.__name__.replace('_', '-')} ({shape}{extra})", of_profile, bodies)
+    name = f"rows/{program.__name__.replace('_', '-')} ({bodies} on a {shape} of {edges}{extra})"
+    return Obligation(name, of_profile, (STRING, *needs), shape, None if any_bodies else bodies)
 
 
 ONE_RULE = tuple(
@@ -64,38 +80,36 @@ ONE_RULE = tuple(
         families.walk_has_one,
     )
 )
-ACCOUNTS = of_rules(request.segment_accounts)
-KEEPS_ORDER = of_rules(request.segment_keeps_order)
-KEEPS_MARGIN = of_rules(request.segment_keeps_margin)
-TERMINATES = of_rules(request.segment_terminates)
-EXACT = of_rules(request.segment_exact)
-REQUEST = of_rules(request.request_is_its_segments)
-REAR_WALKS = of_rules(request.rear_walks_on)
-REAR_FOLLOWS = of_rules(request.rear_follows_by_the_same)
-FUNCTION = of_rules(request.segment_is_a_function)
-TWO_ARE_ONE = of_rules(request.two_requests_are_one)
+ACCOUNTS = of_rules(request.segment_accounts, ORDERED)
+KEEPS_ORDER = of_rules(request.segment_keeps_order, ORDERED)
+KEEPS_MARGIN = of_rules(request.segment_keeps_margin, KEPT, LONG)
+TERMINATES = of_rules(request.segment_terminates, ORDERED)
+EXACT = of_rules(request.segment_exact, STRING, KEPT, LONG)
+REQUEST = of_rules(request.request_is_its_segments, ORDERED)
+REAR_WALKS = of_rules(request.rear_walks_on, ORDERED)
+REAR_FOLLOWS = of_rules(request.rear_follows_by_the_same, ORDERED)
+FUNCTION = of_rules(request.segment_is_a_function, ORDERED)
+TWO_ARE_ONE = of_rules(request.two_requests_are_one, FREE)
 WHOLE_REQUEST = (*ONE_RULE, ACCOUNTS, REQUEST, REAR_WALKS, REAR_FOLLOWS)
 
 WHOLE_ROWS = tuple(
-    of_rows(rows.rows_keep_the_invariants, bodies, edges, closed, direction=direction)
+    of_rows(rows.rows_keep_the_invariants, bodies, edges, closed, KEPT, LONG, direction=direction, mover=mover)
     for bodies, edges, closed in ((2, 2, False), (2, 1, True), (3, 1, False))
     for direction in Direction
+    for mover in range(bodies)
 )
-LAWS = tuple(
-    of_rows(rows.world_is_lawful, bodies, edges, closed)
-    for bodies, edges, closed in ((8, 2, False), (8, 1, True), (2, 3, False))
-)
-MIRRORED = tuple(
-    of_rows(rows.mirror_has_the_same_facts, bodies, edges, closed)
-    for bodies, edges, closed in ((8, 2, False), (8, 1, True), (2, 3, False))
-)
+SIZES = ((8, 2, False), (8, 1, True), (2, 3, False), (2, 2, True))
+LAWS = tuple(of_rows(rows.world_is_lawful, *size, KEPT, LONG) for size in SIZES)
+MIRRORED = tuple(of_rows(rows.mirror_has_the_same_facts, *size, KEPT, LONG) for size in SIZES)
 SPLIT = (
-    of_rows(rows.split_has_the_same_facts, 8, 1, closed=False),
-    *(of_rows(rows.border_keeps_coordinate, 1, 3, closed, cut=cut) for closed in (False, True) for cut in range(3)),
+    of_rows(rows.split_has_the_same_facts, 8, 1, False, KEPT, LONG, HALVES),
+    *(
+        of_rows(rows.border_keeps_coordinate, 1, 3, closed, KEPT, LONG, any_bodies=True, cut=cut)
+        for closed in (False, True)
+        for cut in range(3)
+    ),
 )
 TRANSLATED = Obligation("rows/translation-keeps-extents", rows.translation_keeps_extents)
-
-KEPT, LONG, FREE = MARGINS_KEPT.id, EDGES_LONG.id, FREE_SPACE.id
 
 
 def holds(
@@ -114,7 +128,7 @@ def holds(
         source=about.source,
         about=about.id,
         profile=THESIS,
-        premises=(ONE_STRING.id, *premises),
+        premises=(STRING, *premises),
         expected=expected,
         obligations=obligations,
         sampled=True,
@@ -123,7 +137,7 @@ def holds(
 
 def refuted(name: str, about: str, sentence: str, source: str, premises: tuple[str, ...], erratum: Erratum) -> Claim:
     """A claim that is expected to be refuted by a witness."""
-    assumed = (ONE_STRING.id, *premises)
+    assumed = (STRING, *premises)
     return Claim(f"claim/{name}", "errata", sentence, source, about, THESIS, assumed, REFUTED, erratum=erratum)
 
 
@@ -135,20 +149,21 @@ def counted(name: str, about: str, sentence: str, source: str, program: Callable
 
 CLAIMS: tuple[Claim, ...] = (
     holds(NO_OVERLAP, "safety", (KEPT, LONG), *WHOLE_REQUEST, KEEPS_MARGIN),
-    holds(ORDER, "safety", (IN_ORDER.id,), *WHOLE_REQUEST, KEEPS_ORDER),
-    holds(TERMINATION, "termination", (IN_ORDER.id, ONCE_ROUND.id), *WHOLE_REQUEST, TERMINATES),
-    holds(RIGID_WIDTH, "safety", (IN_ORDER.id,), *WHOLE_REQUEST),
-    holds(ON_GRAPH, "safety", (IN_ORDER.id,), *WHOLE_REQUEST),
-    holds(AT_MOST_ASKED, "movement", (IN_ORDER.id,), *WHOLE_REQUEST),
-    holds(DIRECTION, "movement", (IN_ORDER.id,), *WHOLE_REQUEST),
-    holds(BYSTANDERS, "movement", (KEPT, LONG), *WHOLE_REQUEST, EXACT),
+    holds(ORDER, "safety", (ORDERED,), *WHOLE_REQUEST, KEEPS_ORDER),
+    holds(TERMINATION, "termination", (ORDERED,), *WHOLE_REQUEST, TERMINATES),
+    holds(RULE_COUNT, "termination", (ORDERED, HALF), expected=TESTED),
+    holds(RIGID_WIDTH, "safety", (ORDERED,), *WHOLE_REQUEST),
+    holds(ON_GRAPH, "safety", (ORDERED,), *WHOLE_REQUEST),
+    holds(AT_MOST_ASKED, "movement", (ORDERED, HALF), *WHOLE_REQUEST),
+    holds(DIRECTION, "movement", (ORDERED, HALF), *WHOLE_REQUEST),
+    holds(BYSTANDERS, "movement", (KEPT, LONG, HALF), *WHOLE_REQUEST, EXACT),
     holds(AS_FAR_AS_POSSIBLE, "movement", (KEPT, LONG), *WHOLE_REQUEST, EXACT),
-    holds(CLOSED_FORM, "movement", (KEPT, LONG), *WHOLE_REQUEST, EXACT),
-    holds(DETERMINISM, "movement", (IN_ORDER.id,), *WHOLE_REQUEST, FUNCTION),
+    holds(CLOSED_FORM, "movement", (KEPT, LONG, HALF), *WHOLE_REQUEST, EXACT),
+    holds(DETERMINISM, "movement", (ORDERED,), *WHOLE_REQUEST, FUNCTION),
     holds(ADDITIVE, "relations", (KEPT, LONG, FREE), *WHOLE_REQUEST, EXACT, TWO_ARE_ONE),
-    holds(MIRROR, "relations", (KEPT, LONG), *WHOLE_REQUEST, EXACT, *MIRRORED, expected=BOUNDED),
-    holds(EDGE_SPLIT, "relations", (KEPT, LONG), *WHOLE_REQUEST, EXACT, *SPLIT, expected=BOUNDED),
-    holds(TRANSLATION, "relations", (), *WHOLE_REQUEST, TRANSLATED),
+    holds(MIRROR, "relations", (KEPT, LONG, HALF), *WHOLE_REQUEST, EXACT, *MIRRORED, expected=BOUNDED),
+    holds(EDGE_SPLIT, "relations", (KEPT, LONG, HALVES, HALF), *WHOLE_REQUEST, EXACT, *SPLIT, expected=BOUNDED),
+    holds(TRANSLATION, "relations", (ORDERED, HALF), *WHOLE_REQUEST, TRANSLATED),
     Claim(
         id="claim/one-rule-applies",
         family="rules",
@@ -167,7 +182,7 @@ CLAIMS: tuple[Claim, ...] = (
         source="4.3.1, 6.1.3; R7, R14",
         about="world",
         profile=THESIS,
-        premises=(KEPT, LONG),
+        premises=(STRING, KEPT, LONG),
         expected=BOUNDED,
         obligations=LAWS,
     ),
@@ -178,7 +193,7 @@ CLAIMS: tuple[Claim, ...] = (
         source="6.2.1; R5, R20",
         about="invariants",
         profile=THESIS,
-        premises=(KEPT, LONG, FREE),
+        premises=(STRING, KEPT, LONG),
         expected=BOUNDED,
         obligations=WHOLE_ROWS,
     ),
@@ -195,6 +210,13 @@ CLAIMS: tuple[Claim, ...] = (
         "A request looks once on each edge that its front border moves on, so the edge after it is looked at twice.",
         "6.2.1, 7.1.1; E13",
         counts.queries_at_transitions,
+    ),
+    counted(
+        "long-strings",
+        "walk",
+        "A request goes over as many edges, and a chain over as many bodies, as there are.",
+        "6.2.1a, 4.2; R6, R18",
+        counts.long_strings,
     ),
     counted(
         "walls-reached-exactly",
@@ -217,6 +239,30 @@ CLAIMS: tuple[Claim, ...] = (
         "6.2.1; A12",
         (KEPT,),
         errata.margin_with_short_edges,
+    ),
+    refuted(
+        "pushing-on-short-edges",
+        AS_FAR_AS_POSSIBLE.id,
+        "Whoever moves is pushed in contact, and the mover moves as far as possible, however short the edges are.",
+        "6.2.1; A12",
+        (KEPT,),
+        errata.pushes_with_short_edges,
+    ),
+    refuted(
+        "margins-from-any-start",
+        NO_OVERLAP.id,
+        "The margin is kept after a request, whatever it was before.",
+        "6.2.1; A10",
+        (ORDERED, LONG),
+        errata.margin_from_any_start,
+    ),
+    refuted(
+        "split-anywhere",
+        EDGE_SPLIT.id,
+        "Splitting an edge changes no movement, wherever it is split.",
+        "6.2.1a; A12",
+        (KEPT, LONG),
+        errata.split_anywhere,
     ),
     refuted(
         "additive-on-any-ring",

@@ -8,8 +8,8 @@ from typing import Any
 
 from properties.worlds.rows import located, string_graph
 from reference.play import library, play
-from reference.world import World
 from reference.simulator import move
+from reference.world import World
 from spec.body import Body, EdgePosition, Level
 from spec.graph import Direction
 from spec.profiles import Profile
@@ -41,15 +41,30 @@ def queries_of_a_push(profile: Profile) -> int:
 
 
 def queries_at_transitions(profile: Profile) -> int:
-    """A body that passes over t vertices looks t + 1 times, and looks up each edge after the first twice."""
+    """A body of which each border passes over t vertices looks t + 1 times, and makes 2 t transitions."""
     cases = list(product(range(8), (1, 3)))
     for passed, width in cases:
         lengths = [ONE] * (passed + width + 2)
         held = [Body("A", located(lengths, ONE / 4, False), located(lengths, width + ONE / 4, False), ONE, ONE)]
         world = line(lengths, MARGIN, held)
-        move(profile, world, 0, Direction.RIGHT, Fraction(passed))
+        _, record = move(profile, world, 0, Direction.RIGHT, Fraction(passed))
         assert world.work.queries == passed + 1, f"{passed} vertices passed: {world.work.queries} queries"
+        assert record.transitions == 2 * passed, f"{passed} vertices passed: {record.transitions} transitions"
     return len(cases)
+
+
+def long_strings(profile: Profile) -> int:
+    """A body goes over a thousand edges; a push goes through a thousand bodies."""
+    many = 1000
+    held = [Body("A", EdgePosition(0, ONE / 4), EdgePosition(2, ONE / 4), ONE, ONE)]
+    world = line([ONE] * (many + 8), MARGIN, held)
+    moved, _ = move(profile, world, 0, Direction.RIGHT, Fraction(many))
+    borders = (world.bodies[0].left.edge, world.bodies[0].right.edge)
+    assert (moved, borders) == (many, (many, many + 2)), f"moved {moved} to edges {borders}"
+    pushed = row_in_contact(many, many)
+    moved, record = move(profile, pushed, 0, Direction.RIGHT, ONE)
+    assert (moved, record.depth) == (1, many), f"moved {moved} with a chain of {record.depth}"
+    return 2
 
 
 def walls_are_reached(profile: Profile) -> int:

@@ -6,19 +6,20 @@ scenario.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 from properties.evidence.deeds import do
 from properties.given import Given
 from properties.worlds.rows import any_level
-from reference.world import World
 from reference.simulator import Game, move
+from reference.world import World
 from spec.body import Level
 from spec.conditions import room_between
-from spec.graph import Direction
-from spec.invariants import no_overlap
+from spec.graph import Direction, Vertex
+from spec.invariants import as_far_as_possible, bystanders_stay, no_overlap
 from spec.profiles import Profile
+from spec.transform import split
 
 RIGHT = Direction.RIGHT
 
@@ -43,6 +44,44 @@ def margin_with_short_edges(profile: Profile, given: Given, stage: Stage) -> Non
     stage.steps.append(("A", asked))
     deed, _ = do(profile, held, 0, RIGHT, asked, asked * 0)
     given.ensure("neighbours keep the margin", no_overlap(deed))
+
+
+def pushes_with_short_edges(profile: Profile, given: Given, stage: Stage) -> None:
+    """Whoever moves is pushed in contact, and the mover goes as far as possible, however short the edges are."""
+    held = stage.set(any_level(given, bodies=2, edges=3, closed=False, edges_long=False))
+    asked = given.number("distance asked")
+    stage.steps.append(("A", asked))
+    deed, _ = do(profile, held, 0, RIGHT, asked, asked * 0)
+    given.ensure("bystanders stay, and it goes as far as possible", bystanders_stay(deed) & as_far_as_possible(deed))
+
+
+def margin_from_any_start(profile: Profile, given: Given, stage: Stage) -> None:
+    """The margin is kept after a request, even if it was not before."""
+    level = any_level(given, bodies=2, edges=1, closed=False)
+    wider = given.number("a wider margin")
+    given.assume(wider > level.margin)
+    given.assume(level.graph.edges[0].length >= wider)
+    held = stage.set(replace(level, margin=wider))
+    asked = given.number("distance asked")
+    stage.steps.append(("A", asked))
+    deed, _ = do(profile, held, 0, RIGHT, asked, asked * 0)
+    given.ensure("neighbours keep the margin", no_overlap(deed))
+
+
+def split_anywhere(profile: Profile, given: Given, stage: Stage) -> None:
+    """A body comes as far on a level as on the same with an edge split, wherever it is split."""
+    level = any_level(given, bodies=2, edges=2, closed=False)
+    at = given.number("where the second edge is split")
+    given.assume(at > 0)
+    given.assume(level.graph.edges[1].length - at > 0)
+    whole = World(level)
+    parts = stage.set(split(level, 1, at, Vertex(level.graph.edges[0].length + at, at * 0)))
+    asked = given.number("distance asked")
+    stage.steps.append(("A", asked))
+    ends = [do(profile, held, 0, RIGHT, asked, asked * 0)[0].after for held in (whole, parts)]
+    for body in whole.handles():
+        same = ends[0].travel(whole, body, RIGHT) == ends[1].travel(parts, body, RIGHT)
+        given.ensure("the same way", same)
 
 
 def additive_on_any_ring(profile: Profile, given: Given, stage: Stage) -> None:

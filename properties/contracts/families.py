@@ -33,7 +33,11 @@ def clearance_has_one(rules: Rules, given: Given) -> None:
 
 def push_has_one(rules: Rules, given: Given) -> None:
     """Any stride, any room, any number of spare requests."""
-    promise_one(given, rules.push, Want(given.number("stride"), given.number("room"), given.natural("spare"), given.flag("the body may push")))
+    promise_one(
+        given,
+        rules.push,
+        Want(given.number("stride"), given.number("room"), given.natural("spare"), given.flag("the body may push")),
+    )
 
 
 def contact_has_one(rules: Rules, given: Given) -> None:

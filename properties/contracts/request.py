@@ -111,7 +111,9 @@ def segment_accounts(rules: Rules, given: Given) -> None:
     given.ensure("the distance moved is where the border is", after.at.travelled == step)
     given.ensure("moved in the direction asked", step >= 0)
     given.ensure("moved at most what was asked", step <= before.rest)
-    given.ensure("the border is on its edge", ((after.at.reach >= 0) | seen.ledge) & (after.at.reach <= after.at.length))
+    given.ensure(
+        "the border is on its edge", ((after.at.reach >= 0) | seen.ledge) & (after.at.reach <= after.at.length)
+    )
 
 
 def segment_keeps_order(rules: Rules, given: Given) -> None:
@@ -170,15 +172,18 @@ def bystanders_keep(given: Given, seen: Window, step: Any) -> None:
 
 
 def request_is_its_segments(rules: Rules, given: Given) -> None:
-    """A request moves its front by its segments, as long as they go on, tows its rear as far, leaves its edge if it must,
-    and says how far it moved.
+    """A request moves its front by its segments as long as they go on, tows its rear, leaves its edge if it must, and
+    says how far it moved.
 
     Segments, towing and leaving are stood in for by their contracts.
     """
     seen = window(given, margin_kept=False, edges_long=False, ledges=True)
     seen = replace(seen, back=spot(given, "rear"))
     distance, spare = given.number("distance asked"), given.natural("bodies that may be asked")
-    rear_goes, ends = spot(given, "rear after the move"), Placement(object(), object(), given.number("moved in the end"))
+    rear_goes, ends = (
+        spot(given, "rear after the move"),
+        Placement(object(), object(), given.number("moved in the end")),
+    )
     rounds: list[Motion[Any, Spot]] = [Motion(seen.start, rest=distance)]
     tows: list[Tow[Any, Spot]] = []
     departures: list[Departure[Any, Any]] = []
@@ -245,7 +250,9 @@ def rear_walks_on(rules: Rules, given: Given) -> None:
     given.ensure("the distance moved is where the border is", after.at.travelled == step)
     given.ensure("it stops only when nothing is left", after.going | (after.rest == 0))
     given.ensure("it goes on only from the end of its edge", (not after.going) | (step == seen.start.reach))
-    given.ensure("the border is on its edge", ((after.at.reach >= 0) | seen.ledge) & (after.at.reach <= after.at.length))
+    given.ensure(
+        "the border is on its edge", ((after.at.reach >= 0) | seen.ledge) & (after.at.reach <= after.at.length)
+    )
 
 
 def rear_follows_by_the_same(rules: Rules, given: Given) -> None:

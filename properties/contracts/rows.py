@@ -103,7 +103,11 @@ def check_laws(given: Given, view: Facing[Any], body: int) -> None:
         given.ensure("where no edge follows, the wall is the end of the edge", same(wall, step))
     if other is None:
         return
-    gap = view.gap(at, other)
+    gap, step_on = view.gap(at, other), given.number("a step on the edge")
+    if step_on <= step:
+        further = view.along(at, step_on)
+        given.ensure("a step lessens the distance to the end", view.reach(further) == step - step_on)
+        given.ensure("a step lessens the gap", (view.gap(further, other) == gap - step_on) | (step_on > gap))
     given.ensure("a valid start keeps the margin", gap >= view.margin)
     if onward is not None and gap > step:
         given.ensure("the end of an edge is the beginning of the next", view.gap(onward, other) == gap - step)
@@ -117,14 +121,11 @@ def check_laws(given: Given, view: Facing[Any], body: int) -> None:
 
 
 def rows_keep_the_invariants(
-    profile: Profile, given: Given, bodies: int, edges: int, closed: bool, direction: Direction
+    profile: Profile, given: Given, bodies: int, edges: int, closed: bool, direction: Direction, mover: int
 ) -> None:
     """Any request of a whole row keeps every invariant of one request."""
     held = World(any_level(given, bodies, edges, closed))
     asked = given.number("distance asked")
-    if closed:
-        given.assume(asked <= held.rows[0].length)
-    mover = 0 if direction is Direction.RIGHT else bodies - 1
     deed, _ = do(profile, held, mover, direction, asked, asked * 0)
     for invariant in OF_ONE_REQUEST:
         given.ensure(invariant.id, every([invariant.holds(deed)]))

@@ -67,4 +67,3 @@ def go(hunt: Hunt, profile: Profile, seed: int = 0) -> Quarry:
             quarry.shape, quarry.values = shape, outcome.counterexample.values
             break
     return quarry
-

@@ -19,7 +19,8 @@ from os import cpu_count
 from pathlib import Path
 from types import ModuleType
 
-CHAPTERS = ("clearance", "push", "walk", "request")
+CHAPTERS = ("clearance", "push", "walk", "leave", "request")
+EXCHANGED = {"front": "rear", "rear": "front", "drop": "across", "across": "drop"}
 RULES = Path(__file__).parents[2] / "spec" / "rules"
 WEAKER: dict[type[ast.cmpop], type[ast.cmpop]] = {
     ast.Lt: ast.LtE,
@@ -109,6 +110,8 @@ def changes_of(node: ast.AST) -> Iterator[str]:
         yield from replaced(node, "value", [not node.value], before)
     if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "lesser":
         yield from replaced(node, "args", [node.args[:1] * 2, node.args[1:] * 2], before)
+    if isinstance(node, ast.Attribute) and node.attr in EXCHANGED:
+        yield from replaced(node, "attr", [EXCHANGED[node.attr]], before)
     if isinstance(node, ast.Expr) and isinstance(node.value, ast.Call):
         yield from replaced(node, "value", [ast.Constant(None)], before)
 

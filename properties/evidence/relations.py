@@ -13,8 +13,8 @@ from typing import Any
 from properties.closed_form import displacements
 from properties.strategies.rows import Trial
 from reference.formats import in_floats
-from reference.world import World, world_of
 from reference.simulator import move
+from reference.world import World, world_of
 from spec.body import Level
 from spec.conditions import room_between
 from spec.graph import Vertex
@@ -46,7 +46,10 @@ def alike(one: World[Any], two: World[Any], tolerance: Any) -> bool:
 
 def near(world: World[Any], x: Any, y: Any, tolerance: Any) -> bool:
     """Whether two coordinates are the same place."""
-    return any(equal(x, y + shift, tolerance) for shift in ([0, world.rows[0].length, -world.rows[0].length] if world.closed else [0]))
+    return any(
+        equal(x, y + shift, tolerance)
+        for shift in ([0, world.rows[0].length, -world.rows[0].length] if world.closed else [0])
+    )
 
 
 def after(profile: Profile, world: World[Any], trial: Trial, *distances: Any) -> World[Any]:

@@ -13,10 +13,11 @@ from functools import partial
 from multiprocessing import get_context
 from pathlib import Path
 
-from properties.claims.claim import Claim, Verdict
 from properties.claims.catalogue import CLAIMS
+from properties.claims.claim import Claim, Verdict
 from properties.contracts.request import judged
 from properties.worlds.scenes import Shape
+from spec.conditions import IN_ORDER, MARGINS_KEPT
 
 
 @dataclass(frozen=True)
@@ -192,19 +193,32 @@ def settle(claim: Claim, showings: dict[Job, Showing], witnesses: Path) -> Settl
             from properties.evidence.witness import write_witness
 
             witness = write_witness(claim, showing.values, showing.shape, witnesses)
-    bounds = [obligation.bodies for obligation in claim.obligations if obligation.bodies is not None]
-    if claim.hunt is not None:
-        bounds.append(claim.hunt.most_bodies)
     return Settled(
         claim,
         verdict,
-        bodies=max(bounds) if verdict is Verdict.BOUNDED else None,
+        bodies=bodies_shown(claim) if verdict is Verdict.BOUNDED else None,
         cases=sum(showing.cases for showing in mine),
         engine=", ".join(sorted({showing.engine for showing in mine})),
         seconds=sum(showing.seconds for showing in mine),
         witness=witness,
         reasons=reasons,
     )
+
+
+def bodies_shown(claim: Claim) -> int | None:
+    """Up to how many bodies a bounded claim is shown: the most on each kind of string, and of these the fewest."""
+    most: dict[str, int] = {} if claim.hunt is None else {"scene": claim.hunt.most_bodies}
+    for obligation in claim.obligations:
+        if obligation.shape is not None and obligation.bodies is not None:
+            most[obligation.shape] = max(obligation.bodies, most.get(obligation.shape, 0))
+    return min(most.values(), default=None)
+
+
+def unlisted(claim: Claim) -> tuple[str, ...]:
+    """What the proofs of a claim assume that the claim does not list; kept margins are in order."""
+    listed = {*claim.premises, *((IN_ORDER.id,) if MARGINS_KEPT.id in claim.premises else ())}
+    needed = {condition for obligation in claim.obligations for condition in obligation.needs}
+    return tuple(f"its proof assumes {condition}, which it does not list" for condition in sorted(needed - listed))
 
 
 def verdict_of(claim: Claim, showings: list[Showing]) -> tuple[Verdict, tuple[str, ...]]:
@@ -217,12 +231,12 @@ def verdict_of(claim: Claim, showings: list[Showing]) -> tuple[Verdict, tuple[st
     ]
     if failures:
         return Verdict.REFUTED, tuple(failures)
-    unknown = tuple(reason for showing in showings for reason in showing.open)
+    unknown = (*unlisted(claim), *(reason for showing in showings for reason in showing.open))
     if unknown or (claim.erratum is not None):
         return Verdict.UNKNOWN, unknown or ("no witness was found",)
     if not claim.obligations and claim.hunt is None:
         return Verdict.TESTED, ()
-    bounded = claim.hunt is not None or any(obligation.bodies is not None for obligation in claim.obligations)
+    bounded = claim.hunt is not None or any(obligation.shape is not None for obligation in claim.obligations)
     return (Verdict.BOUNDED if bounded else Verdict.PROVED), ()
 
 

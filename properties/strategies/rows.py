@@ -11,8 +11,7 @@ from properties.worlds.rows import located
 from spec.body import Body, Level
 from spec.graph import Direction, Graph, Vertex, polyline
 
-GRID = 8
-MARGINS = tuple(Fraction(n, GRID) for n in (1, 2, 4))
+GRIDS = (8, 10, 12)
 
 
 @dataclass(frozen=True)
@@ -25,22 +24,24 @@ class Trial:
     asked: Fraction
 
 
-def eighths(most: int) -> st.SearchStrategy[Fraction]:
-    """Multiples of one eighth from 0, small ones first."""
-    return st.integers(0, most * GRID).map(lambda n: Fraction(n, GRID))
+def multiples(grid: int, most: int) -> st.SearchStrategy[Fraction]:
+    """Multiples of one part of a grid from 0, small ones first. On a grid of tenths floats are not exact."""
+    return st.integers(0, most * grid).map(lambda n: Fraction(n, grid))
 
 
 @st.composite
-def spaces(draw: st.DrawFn, margin: Fraction, count: int) -> list[Fraction]:
+def spaces(draw: st.DrawFn, grid: int, margin: Fraction, count: int) -> list[Fraction]:
     """Room between neighbours beyond the margin: none, a little or much."""
-    room = st.one_of(st.just(Fraction(0)), eighths(1), eighths(4))
+    room = st.one_of(st.just(Fraction(0)), multiples(grid, 1), multiples(grid, 4))
     return [margin + draw(room) for _ in range(count)]
 
 
 @st.composite
-def lengths_of_edges(draw: st.DrawFn, total: Fraction, margin: Fraction, borders: list[Fraction]) -> list[Fraction]:
+def lengths_of_edges(
+    draw: st.DrawFn, grid: int, total: Fraction, margin: Fraction, borders: list[Fraction]
+) -> list[Fraction]:
     """Cut a string into edges no shorter than the margin, some of them exactly where a border stands."""
-    cuts = draw(st.lists(st.one_of(st.sampled_from([*borders, total]), eighths(int(total) + 1)), max_size=5))
+    cuts = draw(st.lists(st.one_of(st.sampled_from([*borders, total]), multiples(grid, int(total) + 1)), max_size=5))
     kept, last = [], Fraction(0)
     for cut in sorted(set(cuts)):
         if cut - last >= margin and total - cut >= margin:
@@ -61,20 +62,17 @@ def ground(lengths: list[Fraction], closed: bool) -> Graph[Fraction]:
 @st.composite
 def levels(draw: st.DrawFn, most_bodies: int = 6) -> Level[Fraction]:
     """A valid level: a string of edges no shorter than the margin, with its bodies in the level's order."""
-    margin, count, closed = (
-        draw(st.sampled_from(MARGINS)),
-        draw(st.integers(1, most_bodies)),
-        draw(st.booleans()),
-    )
-    widths = [Fraction(1, GRID) + draw(eighths(2)) for _ in range(count)]
-    start = draw(st.one_of(st.just(Fraction(0)), eighths(3)))
-    gaps = draw(spaces(margin, count))
+    grid, count, closed = draw(st.sampled_from(GRIDS)), draw(st.integers(1, most_bodies)), draw(st.booleans())
+    margin = Fraction(draw(st.sampled_from((1, 2, 4))), grid)
+    widths = [Fraction(1, grid) + draw(multiples(grid, 2)) for _ in range(count)]
+    start = draw(st.one_of(st.just(Fraction(0)), multiples(grid, 3)))
+    gaps = draw(spaces(grid, margin, count))
     lefts = [start + sum(widths[:i]) + sum(gaps[:i]) for i in range(count)]
     held = [(left, left + width) for left, width in zip(lefts, widths, strict=True)]
     end = held[-1][1]
-    total = end - start + gaps[-1] if closed else end + draw(st.one_of(st.just(Fraction(0)), eighths(6)))
+    total = end - start + gaps[-1] if closed else end + draw(st.one_of(st.just(Fraction(0)), multiples(grid, 6)))
     borders = [border for pair in held for border in pair if border < total]
-    lengths = draw(lengths_of_edges(total, margin, borders))
+    lengths = draw(lengths_of_edges(grid, total, margin, borders))
     round_ = [(left % total, right % total) for left, right in held] if closed else held
     speeds = [Fraction(draw(st.sampled_from((0, 0, 5, 50)))) for _ in held]
     bodies = [
@@ -95,7 +93,8 @@ def trials(draw: st.DrawFn) -> Trial:
     direction = draw(st.sampled_from(Direction))
     lengths = [edge.length for edge in level.graph.edges]
     sizes = [Fraction(0), level.margin, *lengths, *(edge.length / 2 for edge in level.graph.edges)]
-    asked = draw(st.one_of(eighths(6), st.sampled_from(sizes), eighths(24)))
+    grid = draw(st.sampled_from(GRIDS))
+    asked = draw(st.one_of(multiples(grid, 6), st.sampled_from(sizes), multiples(grid, 24)))
     total = sum(lengths, Fraction(0))
     if level.graph.circumference is not None:
         asked = min(asked, total / 2 if len(level.bodies) == 1 else total)

@@ -6,13 +6,14 @@ from fractions import Fraction
 
 from hypothesis import assume, strategies as st
 
-from properties.strategies.rows import MARGINS, eighths
+from properties.strategies.rows import multiples
 from reference.world import LevelError, world_of
 from spec.body import Body, EdgePosition, Level
 from spec.conditions import PLANE_START
 from spec.graph import EdgeType, Graph, Vertex, polyline
 
 ONE = Fraction(1)
+GRID = 8
 
 
 @st.composite
@@ -21,7 +22,7 @@ def grounds(draw: st.DrawFn) -> Graph[Fraction]:
     vertices, along = [], Fraction(0)
     for height in draw(st.lists(st.integers(0, 2), min_size=2, max_size=5)):
         vertices.append(Vertex(along, Fraction(height)))
-        along += ONE / 2 + draw(eighths(3))
+        along += ONE / 2 + draw(multiples(GRID, 3))
         vertices.append(Vertex(along, Fraction(height)))
     kept = [v for i, v in enumerate(vertices) if i == 0 or v != vertices[i - 1]]
     return polyline(kept)
@@ -57,7 +58,7 @@ def widths(found: list[Body[Fraction]], body: int) -> Fraction:
 @st.composite
 def levels_with_ledges(draw: st.DrawFn) -> Level[Fraction]:
     """A valid level whose bodies are apart and outside terrain, in the graph and in the plane."""
-    graph, margin = draw(grounds()), draw(st.sampled_from(MARGINS))
+    graph, margin = draw(grounds()), Fraction(draw(st.sampled_from((1, 2, 4))), GRID)
     level = Level(graph, margin, Fraction(1, 50), tuple(draw(bodies_on(graph, margin))))
     try:
         world = world_of(level)

@@ -59,7 +59,9 @@ def any_level(
         along <= first + total if closed and bodies > 1 else along - margin <= (first + total if closed else total)
     )
     placed = tuple(
-        Body(chr(65 + i), located(lengths, left, closed), located(lengths, right, closed), Fraction(speed), height=margin)
+        Body(
+            chr(65 + i), located(lengths, left, closed), located(lengths, right, closed), Fraction(speed), height=margin
+        )
         for i, (left, right) in enumerate(held)
     )
     tick = given.number("tick")

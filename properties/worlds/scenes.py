@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
-from itertools import product
+from itertools import pairwise, product
 from typing import Any
 
 from properties.given import Given
@@ -48,7 +48,11 @@ class Shape:
     @property
     def size(self) -> tuple[int, int, int]:
         """Fewest bodies first, then fewest edges."""
-        return len(self.stands), len(self.heights) + (self.platform is not None), sum(s.top is not None for s in self.stands)
+        return (
+            len(self.stands),
+            len(self.heights) + (self.platform is not None),
+            sum(s.top is not None for s in self.stands),
+        )
 
 
 def fall_edge(upper: int, lower: int, falls_right: bool, height: Fraction) -> Edge[Any]:
@@ -74,7 +78,9 @@ def profile_of_heights(shape: Shape, lengths: list[Any]) -> Graph[Any]:
             vertices.append(Vertex(along, height))
         if before is not None and before != height:
             falls_right = before > height
-            upper, lower = (len(vertices) - 2, len(vertices) - 1) if falls_right else (len(vertices) - 1, len(vertices) - 2)
+            upper, lower = (
+                (len(vertices) - 2, len(vertices) - 1) if falls_right else (len(vertices) - 1, len(vertices) - 2)
+            )
             falls.append(fall_edge(upper, lower, falls_right, abs(before - height)))
         along = along + length
         vertices.append(Vertex(along, height))
@@ -94,7 +100,9 @@ def scene(given: Given, shape: Shape, guided: bool) -> tuple[Level[Any], Any]:
     margin = given.number("margin")
     given.assume(margin > 0)
     lengths = [given.number(f"length of ground {place}") for place in range(len(shape.heights))]
-    widths = [given.number("width") if guided else given.number(f"width of {chr(65 + i)}") for i in range(len(shape.stands))]
+    widths = [
+        given.number("width") if guided else given.number(f"width of {chr(65 + i)}") for i in range(len(shape.stands))
+    ]
     for width in widths:
         given.assume(width > margin)
     for length in lengths:
@@ -131,7 +139,9 @@ def right_border(given: Given, graph: Graph[Any], edge: int, location: Any) -> E
 def stands(bodies: int, edges: int) -> Iterator[tuple[Stand, ...]]:
     """All ways for bodies to stand on edges and on each other."""
     places = [Stand(edge=edge) for edge in range(edges)]
-    for chosen in product(*[[*places, *(Stand(top=top) for top in range(bodies) if top != body)] for body in range(bodies)]):
+    for chosen in product(
+        *[[*places, *(Stand(top=top) for top in range(bodies) if top != body)] for body in range(bodies)]
+    ):
         if all(ends_on_ground(chosen, body) for body in range(bodies)):
             yield chosen
 
@@ -152,7 +162,7 @@ def shapes(most_bodies: int, most_edges: int, guided: bool) -> list[Shape]:
     levels = (Fraction(0), ONE) if guided else HEIGHTS
     for edges in range(1, most_edges + 1):
         for heights in product(levels, repeat=edges):
-            if min(heights) == 0 and all(a != b for a, b in zip(heights, heights[1:], strict=False)):
+            if min(heights) == 0 and all(a != b for a, b in pairwise(heights)):
                 for bodies in range(1, most_bodies + 1):
                     found += [Shape(heights, chosen) for chosen in stands(bodies, edges)]
     if not guided:

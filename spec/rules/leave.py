@@ -143,7 +143,7 @@ LEAVE: AnyFamily = Family(
         ),
         Rule(
             id="leave/fall",
-            sentence="With both borders beyond an unobstructed ledge, a body falls to the ground edge after the fall edge.",
+            sentence="With both borders beyond an unobstructed ledge, a body falls to the ground after the fall edge.",
             source="6.2.1d; R3, R21, R25, A4, A17, A48",
             guard=(rear_beyond, unobstructed, fall_edge_there),
             effect=fall,
@@ -206,7 +206,7 @@ FIT: AnyFamily = Family(
         ),
         Rule(
             id="fit/wall",
-            sentence="Where a wall stands within its width, the landing does not fit: the body comes to stand inside it.",
+            sentence="Where a wall stands within its width, the landing does not fit: the body stands inside it.",
             source="6.2.1d; U11, A16",
             guard=(some_left,),
             effect=inside_the_wall,

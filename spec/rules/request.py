@@ -45,7 +45,6 @@ class Rules:
     landing: Landing
     segment: Callable[..., Generator[Ask[Any, Any], Any, Motion[Any, Any]]]
 
-
     def through(self, wrap: Callable[[Chooser], Chooser]) -> Rules:
         """The same rules, each family wrapped."""
         wrapped: dict[str, Any] = {name: wrap(getattr(self, name)) for name in FAMILIES}
@@ -83,8 +82,9 @@ def segment(
 def request(rules: Rules, view: View[N, B, P], body: B, distance: N, spare: int) -> Generator[Ask[N, B], N, N]:
     """Move `body` by up to `distance >= 0` and return the distance actually moved (6.2.1; R8, R17).
 
-    The front border moves first, edge by edge, with collisions; then the rear border follows by the same
-    distance; then, if it is beyond a ledge, the body falls or jumps (R23), at most once (A48). `spare` is how many further bodies the chain of requests may ask.
+    The front border moves first, edge by edge, with collisions; then the rear border follows by the same distance;
+    then, if it is beyond a ledge, the body falls or jumps (R23), at most once (A48). `spare` is how many further
+    bodies the chain of requests may ask.
     """
     motion = Motion(view.front(body), rest=distance)
     while motion.going:
