@@ -92,6 +92,18 @@ def world_is_lawful(profile: Profile, given: Given, bodies: int, edges: int, clo
             check_laws(given, view, body)
 
 
+def steps_are_lawful(profile: Profile, given: Given, bodies: int, edges: int, closed: bool) -> None:
+    """A step on an edge lessens the distance to its end, and the gap to the body ahead, by the step."""
+    view = World(any_level(given, bodies, edges, closed)).facing(Direction.RIGHT)
+    step, at = given.number("a step on the edge"), view.front(0)
+    given.assume(step <= view.reach(at))
+    further, other = view.along(at, step), view.world.beside(0, Direction.RIGHT)
+    given.ensure("it lessens the distance to the end", view.reach(further) == view.reach(at) - step)
+    assert other is not None
+    given.assume(step <= view.gap(at, other))
+    given.ensure("it lessens the gap", view.gap(further, other) == view.gap(at, other) - step)
+
+
 def check_laws(given: Given, view: Facing[Any], body: int) -> None:
     """Promise the laws at one border."""
     at, step = view.front(body), view.reach(view.front(body))
@@ -103,11 +115,7 @@ def check_laws(given: Given, view: Facing[Any], body: int) -> None:
         given.ensure("where no edge follows, the wall is the end of the edge", same(wall, step))
     if other is None:
         return
-    gap, step_on = view.gap(at, other), given.number("a step on the edge")
-    if step_on <= step:
-        further = view.along(at, step_on)
-        given.ensure("a step lessens the distance to the end", view.reach(further) == step - step_on)
-        given.ensure("a step lessens the gap", (view.gap(further, other) == gap - step_on) | (step_on > gap))
+    gap = view.gap(at, other)
     given.ensure("a valid start keeps the margin", gap >= view.margin)
     if onward is not None and gap > step:
         given.ensure("the end of an edge is the beginning of the next", view.gap(onward, other) == gap - step)

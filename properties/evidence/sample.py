@@ -40,7 +40,7 @@ FLOORS = {
     "crosses an edge": 0.2,
     "meets the push limit": 0.02,
     "on a ring": 0.2,
-    "a world in contact": 0.2,
+    "a row in contact": 0.2,
     "a border at a vertex": 0.2,
 }
 
@@ -91,7 +91,7 @@ def features(world: World[Any], fired: set[str]) -> list[str]:
         "crosses an edge": "walk/onward" in fired,
         "meets the push limit": "push/limit" in fired,
         "on a ring": world.closed,
-        "a world in contact": any(world.clear(*pair) == world.margin for pair in world.neighbours()),
+        "a row in contact": any(world.clear(*pair) - world.margin <= FLOAT_TOLERANCE for pair in world.neighbours()),
         "a border at a vertex": any(min(world.off_graph(body)) == 0 for body in world.bodies_in_order()),
     }
     return [name for name, there in found.items() if there]
