@@ -123,10 +123,14 @@ class Event(Generic[N]):
 
 @dataclass
 class Game(Generic[N]):
-    """A valid level being played under a profile: requests and ticks, one after another."""
+    """A valid level being played under a profile: requests and ticks, one after another.
+
+    `most` is how many rules may fire in a request, if there is to be a limit.
+    """
 
     profile: Profile
     level: Level[N]
+    most: int | None = None
 
     def __post_init__(self) -> None:
         """Set the level up; that it is valid is for `world_of` to check, in exact numbers."""
@@ -139,7 +143,7 @@ class Game(Generic[N]):
         direction = Direction.LEFT if distance < zero else Direction.RIGHT
         size = greater(distance, zero - distance)
         self.world.work = Work()
-        moved, record = move(self.profile, self.world, self.handles[body], direction, size)
+        moved, record = move(self.profile, self.world, self.handles[body], direction, size, self.most)
         work = {**asdict(self.world.work), "transitions": record.transitions}
         fired = tuple((self.world.bodies[handle].name, rule) for handle, rule in record.fired)
         return Event(body, distance, moved * direction, fired, record.depth, work)

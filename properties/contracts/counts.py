@@ -6,6 +6,7 @@ from fractions import Fraction
 from itertools import product
 from typing import Any
 
+from properties.evidence.deeds import MOST_RULES
 from properties.worlds.rows import located, string_graph
 from reference.play import library, play
 from reference.simulator import move
@@ -35,7 +36,7 @@ def queries_of_a_push(profile: Profile) -> int:
     cases = [(bodies, pushed) for bodies in (1, 2, 5, 20, 60, 200) for pushed in (0, 1, 3, 10, 50) if pushed < bodies]
     for bodies, pushed in cases:
         world = row_in_contact(bodies, pushed)
-        move(profile, world, 0, Direction.RIGHT, MARGIN)
+        move(profile, world, 0, Direction.RIGHT, MARGIN, MOST_RULES)
         assert world.work.queries == pushed + 1, f"{pushed} of {bodies} pushed: {world.work.queries} queries"
     return len(cases)
 
@@ -47,7 +48,7 @@ def queries_at_transitions(profile: Profile) -> int:
         lengths = [ONE] * (passed + width + 2)
         held = [Body("A", located(lengths, ONE / 4, False), located(lengths, width + ONE / 4, False), ONE, ONE)]
         world = line(lengths, MARGIN, held)
-        _, record = move(profile, world, 0, Direction.RIGHT, Fraction(passed))
+        _, record = move(profile, world, 0, Direction.RIGHT, Fraction(passed), MOST_RULES)
         assert world.work.queries == passed + 1, f"{passed} vertices passed: {world.work.queries} queries"
         assert record.transitions == 2 * passed, f"{passed} vertices passed: {record.transitions} transitions"
     return len(cases)
@@ -58,11 +59,11 @@ def long_strings(profile: Profile) -> int:
     many = 1000
     held = [Body("A", EdgePosition(0, ONE / 4), EdgePosition(2, ONE / 4), ONE, ONE)]
     world = line([ONE] * (many + 8), MARGIN, held)
-    moved, _ = move(profile, world, 0, Direction.RIGHT, Fraction(many))
+    moved, _ = move(profile, world, 0, Direction.RIGHT, Fraction(many), MOST_RULES)
     borders = (world.bodies[0].left.edge, world.bodies[0].right.edge)
     assert (moved, borders) == (many, (many, many + 2)), f"moved {moved} to edges {borders}"
     pushed = row_in_contact(many, many)
-    moved, record = move(profile, pushed, 0, Direction.RIGHT, ONE)
+    moved, record = move(profile, pushed, 0, Direction.RIGHT, ONE, MOST_RULES)
     assert (moved, record.depth) == (1, many), f"moved {moved} with a chain of {record.depth}"
     return 2
 
@@ -73,7 +74,7 @@ def walls_are_reached(profile: Profile) -> int:
     for left, length in cases:
         held = [Body("A", EdgePosition(0, left), EdgePosition(0, left + 1), 1.0, 1.0)]
         world = line([length], 0.125, held)
-        move(profile, world, 0, Direction.RIGHT, 2 * length)
+        move(profile, world, 0, Direction.RIGHT, 2 * length, MOST_RULES)
         assert world.bodies[0].right.location == length, f"from {left} on {length}: {world.bodies[0].right}"
     return len(cases)
 
@@ -82,7 +83,8 @@ def every_rule_fires(profile: Profile) -> int:
     """The scenarios of the library, played, fire every rule of the profile."""
     fired: set[str] = set()
     for path in library():
-        _, _, played = play(path)
+        _, game, played = play(path)
+        game.most = MOST_RULES
         fired.update(rule for step in played for event in step.events for _, rule in event.fired)
     missing = {rule.id for rule in rules_of(profile)} - fired
     assert not missing, f"no scenario fires {', '.join(sorted(missing))}"

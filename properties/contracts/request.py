@@ -56,9 +56,12 @@ def seen_by(given: Given, rules: Rules) -> Rules:
 
 
 def judged(program: Callable[[Profile, Given], None], profile: Profile, given: Given) -> None:
-    """Run an obligation; an effect whose own requirement is not met (an `assert`) breaks a promise too."""
+    """Run an obligation; where no rule or two apply, or an effect's own requirement (an `assert`) is not met, it fails."""
     try:
         program(profile, given)
+    except GuardError:
+        given.ensure(ONE_RULE, False)
+        raise Infeasible from None
     except AssertionError:
         given.ensure("what an effect requires of its facts holds", False)
         raise Infeasible from None
@@ -178,13 +181,14 @@ def request_is_its_segments(rules: Rules, given: Given) -> None:
     Segments, towing and leaving are stood in for by their contracts.
     """
     seen = window(given, margin_kept=False, edges_long=False, ledges=True)
-    seen = replace(seen, back=spot(given, "rear"))
+    seen = replace(seen, resting=spot(given, "front at rest"), back=spot(given, "rear"))
+    assert seen.resting is not None
     distance, spare = given.number("distance asked"), given.natural("bodies that may be asked")
     rear_goes, ends = (
         spot(given, "rear after the move"),
         Placement(object(), object(), given.number("moved in the end")),
     )
-    rounds: list[Motion[Any, Spot]] = [Motion(seen.start, rest=distance)]
+    rounds: list[Motion[Any, Spot]] = [Motion(seen.resting, rest=distance)]
     tows: list[Tow[Any, Spot]] = []
     departures: list[Departure[Any, Any]] = []
 

@@ -21,6 +21,7 @@ from types import ModuleType
 
 CHAPTERS = ("clearance", "push", "walk", "leave", "request")
 EXCHANGED = {"front": "rear", "rear": "front", "drop": "across", "across": "drop"}
+BOTH_SIDED = ("view", "leaving", "placement", "jump", "best")
 RULES = Path(__file__).parents[2] / "spec" / "rules"
 WEAKER: dict[type[ast.cmpop], type[ast.cmpop]] = {
     ast.Lt: ast.LtE,
@@ -110,7 +111,7 @@ def changes_of(node: ast.AST) -> Iterator[str]:
         yield from replaced(node, "value", [not node.value], before)
     if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "lesser":
         yield from replaced(node, "args", [node.args[:1] * 2, node.args[1:] * 2], before)
-    if isinstance(node, ast.Attribute) and node.attr in EXCHANGED:
+    if isinstance(node, ast.Attribute) and node.attr in EXCHANGED and ast.unparse(node.value) in BOTH_SIDED:
         yield from replaced(node, "attr", [EXCHANGED[node.attr]], before)
     if isinstance(node, ast.Expr) and isinstance(node.value, ast.Call):
         yield from replaced(node, "value", [ast.Constant(None)], before)

@@ -17,7 +17,9 @@ from properties.claims.catalogue import CLAIMS
 from properties.claims.claim import Claim, Verdict
 from properties.contracts.request import judged
 from properties.worlds.scenes import Shape
+from reference.simulator import Endless
 from spec.conditions import IN_ORDER, MARGINS_KEPT
+from spec.rule import GuardError
 
 
 @dataclass(frozen=True)
@@ -133,7 +135,7 @@ def count(claim_id: str, count_id: str) -> Showing:
     started = time.perf_counter()
     try:
         cases, failures = program(claim.profile), {}
-    except AssertionError as error:
+    except (AssertionError, GuardError, Endless) as error:
         cases, failures = 0, {claim.about: str(error)}
     return Showing("counting", time.perf_counter() - started, cases, failures)
 
@@ -246,7 +248,7 @@ def first_failure() -> str | None:
     for claim in CLAIMS:
         if claim.erratum is None and claim.hunt is None:
             jobs.update(jobs_of(claim))
-    order = {"prove": 0, "count": 1, "sample": 2}
+    order = {"count": 0, "prove": 1, "sample": 2}
     for job in sorted(jobs, key=lambda job: order[job[0]]):
         for failure in jobs[job]().failures:
             return f"{job[2]}: {failure}" if job[0] == "prove" else f"{job[0]}: {failure}"

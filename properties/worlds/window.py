@@ -39,6 +39,7 @@ class Window:
     gap_before: Any
     granted: Any
     may_push: bool
+    resting: Spot | None = None
     back: Spot | None = None
     ledge: bool = False
     body_width: Any = 0
@@ -48,8 +49,9 @@ class Window:
     placed: list[tuple[str, Spot, Spot]] = field(default_factory=list)
 
     def front(self, body: str) -> Spot:
-        """Where the motion begins."""
-        return self.start
+        """Where the front border is at rest, if the window shows it: a border under way is elsewhere."""
+        assert self.resting is not None
+        return self.resting
 
     def rear(self, body: str) -> Spot:
         """Where the rear border is, if the window shows it."""

@@ -124,8 +124,10 @@ def fall(leaving: Departure[N, P]) -> Placement[N, P]:
 
 def jump_down_least(leaving: Departure[N, P]) -> Placement[N, P]:
     """Take the usable jump edge that leads down least, among equals the shortest (A23)."""
-    best, *others = usable(leaving)
-    for jump in others:
+    candidates = usable(leaving)
+    assert candidates, "a jump needs a usable jump edge"
+    best = candidates[0]
+    for jump in candidates[1:]:
         if jump.drop < best.drop or (jump.drop <= best.drop and jump.across < best.across):
             best = jump
     return land_at(leaving, best.target)
@@ -152,7 +154,7 @@ LEAVE: AnyFamily = Family(
             id="leave/jump",
             sentence="With both borders beyond an obstructed ledge, a body takes the jump edge that leads down least.",
             source="6.2.1e, 6.2.1; R15, R22, R25, R32, A21, A23",
-            guard=(rear_beyond, obstructed, some_usable),
+            guard=(rear_beyond, some_usable),
             effect=jump_down_least,
         ),
         Rule(

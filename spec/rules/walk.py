@@ -130,7 +130,7 @@ WALK: AnyFamily = Family(
             id="walk/overhang",
             sentence="At a ledge a border goes on into overhang: it keeps its edge and exceeds it.",
             source="4.3.1, 6.2.1d; R7, R16, R21, A55",
-            guard=(way_open, exceeds_edge, no_edge_follows, ledge_follows),
+            guard=(way_open, exceeds_edge, ledge_follows),
             effect=move_by_the_way,
         ),
         Rule(
