@@ -298,6 +298,8 @@ def edge_record(edge: Edge[Fraction]) -> EdgeRecord:
 
 def is_polyline(graph: Graph[Fraction]) -> bool:
     """Whether a graph is what joining its vertices from left to right gives."""
+    if any(right.x < left.x for left, right in pairwise(graph.vertices)):
+        return False
     try:
         return polyline(graph.vertices, graph.circumference) == graph
     except (IrrationalLength, NoLength):

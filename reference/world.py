@@ -259,6 +259,22 @@ class World(Generic[N]):
         start = self.graph.vertices[edge.left]
         return start.x + at.location * edge.run, start.y + at.location * edge.rise + up  # type: ignore[operator]
 
+    def tip_point(self, edge: int, direction: Direction) -> tuple[N, N]:
+        """Where an end of an edge is: a static one exactly at its vertex, in floats too."""
+        if edge < self.statics:
+            vertex = self.graph.vertices[self.graph.edges[edge].towards(direction)]
+            return vertex.x, vertex.y
+        return self.point(self.facing(direction).end(EdgePosition(edge, zero_like(self.margin))))
+
+    def short_way(self, distance: N) -> N:
+        """A horizontal distance; on a cylinder the short way round."""
+        circumference = self.graph.circumference
+        if circumference is None:
+            return distance
+        if distance * 2 > circumference:
+            return distance - circumference
+        return distance + circumference if distance * 2 < zero_like(distance) - circumference else distance
+
     def straight(self, held: Body[N]) -> bool:
         """Whether the ground under a body has one slope."""
         if held.left.edge == held.right.edge:
@@ -402,27 +418,24 @@ class Facing(Generic[N]):
         return self.world.width(body)
 
     def across(self, start: EdgePosition[N], end: EdgePosition[N]) -> N:
-        """Horizontal distance in this direction; once round a cylinder at most."""
-        distance = (self.world.point(end)[0] - self.world.point(start)[0]) * self.direction
-        circumference = self.world.graph.circumference
-        if circumference is not None and distance < zero_like(distance):
-            distance = distance + circumference
-        return distance
+        """Horizontal distance in this direction; on a cylinder the short way round."""
+        return self.world.short_way((self.world.point(end)[0] - self.world.point(start)[0]) * self.direction)
 
     def jumps(self, body: int, at: EdgePosition[N]) -> list[Jump[N, EdgePosition[N]]]:
         """The jump edges from the end of this edge: to tops, and from the corner of a top also to ledges (R15, A54)."""
-        ledge, support = self.end(at), self.world.support(body)
+        support = self.world.support(body)
         own = {body, support} | set(self.world_of_riders(body))
         tops = [self.tip(self.world.statics + other, self.direction.opposite) for other in self.world.handles()]
-        found = [self.jump(ledge, top, free=True) for other, top in enumerate(tops) if other not in own]
+        found = [self.jump(at.edge, top, free=True) for other, top in enumerate(tops) if other not in own]
         if support is not None:
-            found += [self.jump(ledge, near, self.is_free(near, body)) for near in self.ledges()]
+            found += [self.jump(at.edge, near, self.is_free(near, body)) for near in self.ledges()]
         return found
 
-    def jump(self, ledge: EdgePosition[N], target: EdgePosition[N], free: bool) -> Jump[N, EdgePosition[N]]:
-        """The jump edge between two positions."""
-        drop = self.world.point(ledge)[1] - self.world.point(target)[1]
-        return Jump(target, self.across(ledge, target), drop, free)
+    def jump(self, edge: int, target: EdgePosition[N], free: bool) -> Jump[N, EdgePosition[N]]:
+        """The jump edge from the end of an edge to the near end of another."""
+        (x, y), back = self.world.tip_point(edge, self.direction), self.direction.opposite
+        far_x, far_y = self.world.tip_point(target.edge, back)
+        return Jump(target, self.world.short_way((far_x - x) * self.direction), y - far_y, free)
 
     def world_of_riders(self, body: int) -> Iterator[int]:
         """Those that ride on a body, and those that ride on them."""
@@ -491,8 +504,6 @@ def check_supports(level: Level[N]) -> None:
 def check_overhang(world: World[N], body: int) -> None:
     """Refuse a border beyond the end of its edge where there is no ledge, and a body wholly beyond it."""
     zero, place = zero_like(world.margin), f"$.bodies[{body}]"
-    if world.width(body) <= zero:
-        raise LevelError(place, "expected the left border to be left of the right border")
     for direction in Direction:
         view = world.facing(direction)
         for side, at in (("front", view.front(body)), ("rear", view.rear(body))):
@@ -500,6 +511,8 @@ def check_overhang(world: World[N], body: int) -> None:
                 name = direction.name.lower() if side == "front" else direction.opposite.name.lower()
                 length = world.length_of(at.edge)
                 raise LevelError(f"{place}.{name}.location", f"expected 0 to {length}, got {at.location}")
+    if world.width(body) <= zero:
+        raise LevelError(place, "expected the left border to be left of the right border")
 
 
 def world_of(level: Level[N]) -> World[N]:

@@ -165,7 +165,7 @@ def horizontal_within(deed: Deed[N]) -> Truth:
     before, after = deed.before, deed.after
     view, zero = before.facing(deed.direction), zero_like(deed.asked)  # type: ignore[attr-defined]
     start, end = view.rear(deed.body), after.facing(deed.direction).rear(deed.body)  # type: ignore[attr-defined]
-    went = (after.point(end)[0] - before.point(start)[0]) * deed.direction  # type: ignore[attr-defined]
+    went = after.short_way((after.point(end)[0] - before.point(start)[0]) * deed.direction)  # type: ignore[attr-defined]
     return (went <= deed.asked + deed.tolerance) & (went >= zero - deed.tolerance)  # type: ignore[no-any-return]
 
 

@@ -12,7 +12,7 @@ from typing import Any
 
 from spec.invariants import Deed
 from spec.number import Truth
-from spec.plane import Box, box, heights, images, negated, terrain
+from spec.plane import Box, box, boxes, heights, images, negated, terrain
 
 
 @dataclass(frozen=True)
@@ -49,8 +49,10 @@ def mover_in_body(deed: Deed[Any]) -> Truth:
     """Whether the mover's box overlaps that of another body."""
     world: Any = deed.after
     mine = box(world, deed.body)
-    others = [box(world, body) for body in world.handles() if body != deed.body]
-    return some([overlap(mine, other) for other in others if mine is not None and other is not None])
+    if mine is None:
+        return False
+    others = [other for body, other in boxes(world).items() if body != deed.body]
+    return some([overlap(mine, image) for other in others for image in images(world, other)])
 
 
 def overlap(one: Box[Any], other: Box[Any]) -> Truth:
@@ -82,7 +84,7 @@ def facing_ledges(deed: Deed[Any]) -> list[tuple[Any, Any]]:
 
 def signed_across(world: Any, start: Any, end: Any) -> Any:
     """Horizontal distance to the right."""
-    return world.point(end)[0] - world.point(start)[0]
+    return world.short_way(world.point(end)[0] - world.point(start)[0])
 
 
 def short_pit(deed: Deed[Any], fired: frozenset[str]) -> Truth:
@@ -117,9 +119,15 @@ def falls_onto_body(deed: Deed[Any], fired: frozenset[str]) -> Truth:
 
 def ledge_under(deed: Deed[Any]) -> Truth:
     """Whether a ledge that does not lead up begins in the middle of the top on which the mover stood."""
-    width = deed.before.width(deed.before.support(deed.body))  # type: ignore[attr-defined]
-    zero = deed.asked * 0
-    return some([(across < zero) & (across + width > zero) & (drop >= zero) for across, drop in facing_ledges(deed)])
+    before: Any = deed.before
+    below = before.support(deed.body)
+    width, height, zero = before.width(below), before.bodies[below].height, deed.asked * 0
+    return some(
+        [
+            (across < zero) & (across + width > zero) & (drop >= zero) & (drop < height)
+            for across, drop in facing_ledges(deed)
+        ]
+    )
 
 
 def sharp_ledge(deed: Deed[Any], fired: frozenset[str]) -> Truth:

@@ -78,6 +78,7 @@ ONE_RULE = tuple(
         families.push_has_one,
         families.contact_has_one,
         families.walk_has_one,
+        families.fit_has_one,
     )
 )
 ACCOUNTS = of_rules(request.segment_accounts, ORDERED)
@@ -255,14 +256,6 @@ CLAIMS: tuple[Claim, ...] = (
         (KEPT,),
         errata.pushes_with_short_edges,
         long=True,
-    ),
-    refuted(
-        "margins-from-any-start",
-        NO_OVERLAP.id,
-        "The margin is kept after a request, whatever it was before.",
-        "6.2.1; A10",
-        (ORDERED, LONG),
-        errata.margin_from_any_start,
     ),
     refuted(
         "split-anywhere",

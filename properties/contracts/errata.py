@@ -6,7 +6,7 @@ scenario.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from typing import Any
 
 from properties.evidence.deeds import do
@@ -53,19 +53,6 @@ def pushes_with_short_edges(profile: Profile, given: Given, stage: Stage) -> Non
     stage.steps.append(("A", asked))
     deed, _ = do(profile, held, 0, RIGHT, asked, asked * 0)
     given.ensure("bystanders stay, and it goes as far as possible", bystanders_stay(deed) & as_far_as_possible(deed))
-
-
-def margin_from_any_start(profile: Profile, given: Given, stage: Stage) -> None:
-    """The margin is kept after a request, even if it was not before."""
-    level = any_level(given, bodies=2, edges=1, closed=False)
-    wider = given.number("a wider margin")
-    given.assume(wider > level.margin)
-    given.assume(level.graph.edges[0].length >= wider)
-    held = stage.set(replace(level, margin=wider))
-    asked = given.number("distance asked")
-    stage.steps.append(("A", asked))
-    deed, _ = do(profile, held, 0, RIGHT, asked, asked * 0)
-    given.ensure("neighbours keep the margin", no_overlap(deed))
 
 
 def split_anywhere(profile: Profile, given: Given, stage: Stage) -> None:

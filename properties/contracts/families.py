@@ -11,7 +11,7 @@ from spec.rule import Chooser, GuardError
 from spec.rules.clearance import Sight
 from spec.rules.push import Answer, Want, Way
 from spec.rules.request import Rules
-from spec.rules.walk import Step
+from spec.rules.walk import Motion, Step
 
 
 def promise_one(given: Given, family: Chooser, facts: Any) -> None:
@@ -45,9 +45,15 @@ def contact_has_one(rules: Rules, given: Given) -> None:
     promise_one(given, rules.contact, Answer(given.number("stride"), given.number("room"), given.number("granted")))
 
 
+def fit_has_one(rules: Rules, given: Given) -> None:
+    """Any width left to place."""
+    promise_one(given, rules.fit, Motion(None, rest=given.number("width left"), going=False))
+
+
 def walk_has_one(rules: Rules, given: Given) -> None:
     """Any motion on any edge, blocked or not."""
-    seen = window(given, margin_kept=False, edges_long=False)
+    seen = window(given, margin_kept=False, edges_long=False, ledges=True)
+    reach = given.number("distance to the end") - given.number("distance beyond the end")
     way = Way(given.number("way"), blocked=given.flag("blocked"))
     motion = any_motion(given, seen.start)
-    promise_one(given, rules.walk, Step(seen, motion, way, seen.reach(seen.start), seen.beyond(seen.start)))
+    promise_one(given, rules.walk, Step(seen, motion, way, reach, seen.beyond(seen.start)))

@@ -56,7 +56,7 @@ def seen_by(given: Given, rules: Rules) -> Rules:
 
 
 def judged(program: Callable[[Profile, Given], None], profile: Profile, given: Given) -> None:
-    """Run an obligation; where no rule or two apply, or an effect's own requirement (an `assert`) is not met, it fails."""
+    """Run an obligation; it fails where no rule or two apply, or an effect's own requirement (an `assert`) fails."""
     try:
         program(profile, given)
     except GuardError:

@@ -19,8 +19,9 @@ GRID = 8
 @st.composite
 def grounds(draw: st.DrawFn) -> Graph[Fraction]:
     """Level ground at heights from 0 to 2 body heights, joined by vertical fall edges, or some of it by ground."""
-    vertices, along = [], Fraction(0)
-    for height in draw(st.lists(st.integers(0, 2), min_size=2, max_size=5)):
+    vertices, along, height = [], Fraction(0), draw(st.integers(0, 2))
+    for step in draw(st.lists(st.sampled_from((1, 2, 1, 2, 0)), min_size=2, max_size=5)):
+        height = (height + step) % 3
         vertices.append(Vertex(along, Fraction(height)))
         along += ONE / 2 + draw(multiples(GRID, 3))
         vertices.append(Vertex(along, Fraction(height)))
@@ -36,7 +37,7 @@ def bodies_on(draw: st.DrawFn, graph: Graph[Fraction], margin: Fraction) -> list
     used: dict[int, Fraction] = {}
     for number in range(draw(st.integers(2, 5))):
         width = draw(st.sampled_from((ONE, ONE, ONE / 2, 2 * ONE)))
-        on_top = bool(found) and draw(st.booleans())
+        on_top = bool(found) and draw(st.integers(0, 3)) == 0
         edge = len(graph.edges) + draw(st.integers(0, len(found) - 1)) if on_top else draw(st.sampled_from(edges))
         left = used.get(edge, Fraction(0)) + draw(st.sampled_from((Fraction(0), ONE / 4, ONE)))
         length = graph.edges[edge].length if not on_top else widths(found, edge - len(graph.edges))

@@ -10,7 +10,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any, Generic
 
-from spec.number import N, Truth, zero_like
+from spec.number import N, Truth, greater, zero_like
 from spec.rule import AnyFamily, Chooser, Family, Rule
 from spec.rules.walk import Motion, walk_freely
 from spec.world import Jump, P, View
@@ -223,6 +223,8 @@ def rear_at_near_end(leaving: Departure[N, P], near_end: P) -> P:
 
 
 def rear_keeps_across(leaving: Departure[N, P], near_end: P) -> P:
-    """The rear border keeps its horizontal position, as far as it is beyond the near end."""
+    """The rear border keeps its horizontal position, as far as it is beyond the near end and there is ground."""
     beyond = leaving.view.across(near_end, leaving.rear)
-    return leaving.view.along(near_end, beyond) if beyond > zero_like(beyond) else near_end
+    distance = greater(beyond, zero_like(beyond))
+    rear = walk_freely(leaving.walk, leaving.view, near_end, distance).at
+    return leaving.view.end(rear) if leaving.view.reach(rear) < zero_like(distance) else rear

@@ -11,7 +11,7 @@ from collections.abc import Callable, Generator
 from dataclasses import dataclass, replace
 from typing import Any, Generic
 
-from spec.number import N, lesser, zero_like
+from spec.number import N, greater, lesser, zero_like
 from spec.rule import Chooser
 from spec.rules.clearance import Sight
 from spec.rules.leave import Departure, Landing, Placement
@@ -57,7 +57,8 @@ FAMILIES = ("clearance", "push", "contact", "walk", "follow", "leave", "fit")
 def look(view: View[N, B, P], motion: Motion[N, P], other: B | None) -> Sight[N]:
     """Measure the distance to what is ahead, for a stride that ends on this edge, or in overhang."""
     overhangs = view.beyond(motion.at).ledge
-    stride = motion.rest if overhangs else lesser(motion.rest, view.reach(motion.at))
+    reach = greater(view.reach(motion.at), zero_like(motion.rest))
+    stride = motion.rest if overhangs else lesser(motion.rest, reach)
     gap = zero_like(stride) if other is None else view.gap(motion.at, other)
     return Sight(stride, other is not None, gap, view.margin)
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import Any, Generic
 
-from spec.number import N, Truth
+from spec.number import N, Truth, zero_like
 from spec.rule import AnyFamily, Chooser, Family, Rule
 from spec.rules.push import Way
 from spec.world import Beyond, P, View
@@ -79,6 +79,21 @@ def no_ledge_follows(step: Step[N, P]) -> Truth:
     return not step.beyond.ledge
 
 
+def reaches_the_end(step: Step[N, P]) -> Truth:
+    """The border is not beyond the end of its edge."""
+    return step.reach >= zero_like(step.reach)
+
+
+def beyond_the_end(step: Step[N, P]) -> Truth:
+    """The border is beyond the end of its edge."""
+    return step.reach < zero_like(step.reach)
+
+
+def stop_where_it_is(step: Step[N, P]) -> Motion[N, P]:
+    """Do not move."""
+    return replace(step.motion, going=False)
+
+
 def stop_after(distance: N, at: P, motion: Motion[N, P]) -> Motion[N, P]:
     """The motion, ended at a position `distance` further on."""
     return Motion(at, rest=motion.rest - distance, going=False)
@@ -123,8 +138,15 @@ WALK: AnyFamily = Family(
             id="walk/wall",
             sentence="Where no ground edge follows and no ledge, the move ends at the end of the edge.",
             source="6.2.1b; R19",
-            guard=(way_open, exceeds_edge, no_edge_follows, no_ledge_follows),
+            guard=(way_open, exceeds_edge, no_edge_follows, no_ledge_follows, reaches_the_end),
             effect=move_to_the_end,
+        ),
+        Rule(
+            id="walk/in-wall",
+            sentence="A border that a landing has put inside a wall does not move further into it, nor back.",
+            source="6.2.1b; R17, U11",
+            guard=(way_open, no_edge_follows, no_ledge_follows, beyond_the_end),
+            effect=stop_where_it_is,
         ),
         Rule(
             id="walk/overhang",
