@@ -34,6 +34,10 @@ $(VENV): $(READY) ## set up the virtual environment (the targets that need it do
 check: $(READY) ## check the specification: every property against every rule and the reference
 	@$(BIN)/graphbody check
 
+.PHONY: check-long
+check-long: $(STAMP) ## check the claims that take long: the hunts for witnesses on small levels
+	@$(BIN)/graphbody check --long
+
 .PHONY: test
 test: $(READY) ## run the tests
 	@$(BIN)/pytest -n 2

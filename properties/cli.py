@@ -23,8 +23,6 @@ app = typer.Typer(
     no_args_is_help=True,
 )
 
-BUILD = Path("build")
-
 
 def refuse(message: str) -> NoReturn:
     """Bad input: one line, exit status 2."""
@@ -40,12 +38,13 @@ def check(
     """Settle claims: prove, test or refute them. Exit status 1 if a verdict is not the expected one."""
     from rich.console import Console
 
+    from properties.evidence.files import BUILD, WITNESSES
     from properties.evidence.settle import settle
     from properties.report import show_effort, show_surprises, show_table, write_results
 
     claims = chosen_claims(claim, long)
     showings = run_all(claims)
-    settled = [settle(one, showings, BUILD / "witnesses") for one in claims]
+    settled = [settle(one, showings, WITNESSES) for one in claims]
     console = Console(width=None if sys.stdout.isatty() else 120)
     show_table(settled, console)
     show_effort(showings, console)

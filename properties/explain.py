@@ -10,7 +10,9 @@ from typing import Any
 
 from properties.claims.catalogue import CLAIMS
 from properties.claims.claim import Claim
-from reference.play import library, play
+from properties.evidence.files import WITNESSES, file_name
+from reference.play import LIBRARY, library, play
+from spec.models import Model
 from spec.readings import Reading
 from spec.registry import Statement, statements
 from spec.rule import Rule
@@ -56,6 +58,9 @@ def explain(statement: Statement) -> Iterator[str]:
         yield from explain_rule(statement)
     elif isinstance(statement, Claim):
         yield from explain_claim(statement)
+    elif isinstance(statement, Model):
+        yield f"  seen in scenario {statement.scenario}"
+        yield f"  replay: graphbody simulate {relpath(LIBRARY / 'scenarios' / statement.scenario)}.json"
     elif isinstance(statement, Reading):
         yield f"  others could read: {statement.others}"
     yield from claims_about(statement)
@@ -100,6 +105,9 @@ def explain_claim(claim: Claim) -> Iterator[str]:
     for obligation in claim.obligations:
         scope = "any number of bodies" if obligation.bodies is None else f"{obligation.bodies} bodies"
         yield f"  to prove ({scope}) {obligation.id}"
+    if claim.hunt is not None:
+        scope = "that keep the guidelines" if claim.hunt.guided else "of any kind"
+        yield f"  to hunt for a witness in all scenes {scope}, up to {claim.hunt.most_bodies} bodies"
     if claim.sampled:
         yield "  tested on random rows, in exact numbers and in floats"
     for item in claim.counts:
@@ -107,6 +115,9 @@ def explain_claim(claim: Claim) -> Iterator[str]:
     if claim.erratum is not None:
         yield f"  to refute: {said(claim.erratum)}"
     yield f"  run: graphbody check {claim.id}"
+    witness = WITNESSES / f"{file_name(claim.id)}.json"
+    if witness.exists():
+        yield f"  replay its witness: graphbody simulate {witness}"
 
 
 def claims_about(statement: Statement) -> Iterator[str]:

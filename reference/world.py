@@ -16,6 +16,7 @@ from typing import Generic
 
 from spec.body import Body, EdgePosition, Level
 from spec.graph import Direction, EdgeType, Graph
+from spec.interpolation import linear
 from spec.number import N, zero_like
 from spec.world import Beyond, Jump
 
@@ -251,9 +252,9 @@ class World(Generic[N]):
             held = self.bodies[at.edge - self.statics]
             up = up + held.height
             if not self.straight(held):
-                (x, y), (far_x, far_y) = self.point(held.left), self.point(held.right)
                 part = at.location / self.width(at.edge - self.statics)  # type: ignore[operator]
-                return x + (far_x - x) * part, y + (far_y - y) * part + up
+                x, y = linear(self.point(held.left), self.point(held.right), part)
+                return x, y + up
             at = replace(held.left, location=held.left.location + at.location)
         edge = self.graph.edges[at.edge]
         start = self.graph.vertices[edge.left]

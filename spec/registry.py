@@ -6,10 +6,13 @@ from typing import Protocol
 
 from spec.conditions import CONDITIONS
 from spec.invariants import OF_ONE_REQUEST, RELATIONS
+from spec.models import MODELS
+from spec.plane import IN_PLANE
 from spec.profiles import PROFILES, Profile
 from spec.readings import READINGS
 from spec.rule import AnyRule, Family
 from spec.rules.request import FAMILIES
+from spec.unsupported import CASES, RECORDED
 
 
 class Statement(Protocol):
@@ -45,7 +48,8 @@ def statements() -> dict[str, Statement]:
         ValueError: if two statements have the same ID.
     """
     rules = {rule.id: rule for profile in PROFILES.values() for rule in rules_of(profile)}.values()
-    everything: list[Statement] = [*rules, *OF_ONE_REQUEST, *RELATIONS, *CONDITIONS, *READINGS]
+    everything: list[Statement] = [*rules, *MODELS, *OF_ONE_REQUEST, *RELATIONS, *IN_PLANE]
+    everything += [*CONDITIONS, *READINGS, *CASES, *RECORDED]
     table: dict[str, Statement] = {}
     for statement in everything:
         if table.setdefault(statement.id, statement) is not statement:

@@ -1,5 +1,6 @@
 """The evidence itself: claims have floors, random trials are not tame, wrong rules are caught by name."""
 
+import re
 from dataclasses import replace
 from pathlib import Path
 
@@ -14,8 +15,9 @@ from properties.evidence.mutate import CHAPTERS, mutants
 from properties.evidence.sample import FLOORS, ONE_RULE, campaign
 from properties.evidence.witness import refute, write_witness
 from properties.explain import everything
-from reference.play import play
+from reference.play import LIBRARY, play
 from spec.conditions import CONDITIONS
+from spec.models import MODELS
 from spec.profiles import THESIS
 from spec.registry import rules_of, statements
 from spec.rule import Family
@@ -171,3 +173,16 @@ def test_there_are_mutants_of_every_chapter_guard_and_effect():
 
 def test_statements_have_unique_ids():
     assert len(statements()) == len({id(statement) for statement in statements().values()})
+
+
+def test_every_rule_row_of_the_register_is_accounted_for():
+    sources = " ".join(s.source for s in statements().values() if s.kind in ("rule", "model", "invariant"))
+    rows = set(re.findall(r"R\d+", sources))
+    elsewhere = {"R10", "R26", "R27", "R28", "R29", "R33", "R35"}
+    assert {f"R{row}" for row in range(1, 36)} - elsewhere - rows == set()
+
+
+@pytest.mark.parametrize("model", MODELS, ids=lambda model: model.id)
+def test_a_model_is_seen_in_a_scenario(model):
+    _, _, played = play(LIBRARY / "scenarios" / f"{model.scenario}.json")
+    assert list(played)

@@ -9,6 +9,7 @@ from typing import Any
 from properties.claims.claim import Claim, Erratum
 from properties.contracts.errata import Stage
 from properties.engine.explore import Outcome, explore
+from properties.evidence.files import file_name
 from properties.given import Exact, Given
 from properties.worlds.scenes import Shape, scene
 from reference.formats import (
@@ -41,7 +42,7 @@ def scenario(claim: Claim, values: dict[str, Fraction | bool], shape: Shape | No
         stage.level, asked = scene(Exact(values), shape, claim.hunt.guided)
         stage.steps.append((stage.level.bodies[0].name, asked))
     assert stage.level is not None
-    name = file_name(claim)
+    name = file_name(claim.id)
     return ScenarioRecord(
         format="graphbody/scenario@1",
         name=name,
@@ -59,13 +60,8 @@ def step_record(step: tuple[str, Any] | None) -> StepRecord:
     return StepRecord(request=RequestRecord(step[0], number_text(step[1])))
 
 
-def file_name(claim: Claim) -> str:
-    """The name of a claim's witness."""
-    return claim.id.removeprefix("claim/").replace("/", "-")
-
-
 def write_witness(claim: Claim, values: dict[str, Fraction | bool], shape: Shape | None, directory: Path) -> Path:
     """Write the witness of a claim; return its path."""
-    path = directory / f"{file_name(claim)}.json"
+    path = directory / f"{file_name(claim.id)}.json"
     write(path, scenario(claim, values, shape))
     return path

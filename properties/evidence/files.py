@@ -1,0 +1,13 @@
+"""Where evidence is written."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+BUILD = Path("build")
+WITNESSES = BUILD / "witnesses"
+
+
+def file_name(claim_id: str) -> str:
+    """The name of a claim's witness, without its ending."""
+    return claim_id.removeprefix("claim/").replace("/", "-")
