@@ -23,6 +23,7 @@ from spec.plane import (
     negated,
 )
 from spec.profiles import OVERSHOOT, THESIS, Profile
+from spec.readings import LANDING, LANDING_OVERSHOOT
 from spec.unsupported import CASES, Case, jumps_into_what_leads_up, jumps_onto_a_ridden_top
 
 Promise = Callable[[Deed[Any], frozenset[str]], Truth]
@@ -144,6 +145,39 @@ LEAVING: tuple[Claim, ...] = (
         premises=(),
         expected=Verdict.PROVED,
         obligations=(of_rules(leaving.jumps_lead_down_least),),
+    ),
+    Claim(
+        id="claim/near-jump-edges",
+        family="ledges",
+        sentence="The jump edges that count at a ledge are those whose horizontal distance is from 0 to the width.",
+        source="6.2.1; R25, A20",
+        about="leave",
+        profile=THESIS,
+        premises=(),
+        expected=Verdict.PROVED,
+        obligations=(of_rules(leaving.near_jumps_are_as_short),),
+    ),
+    Claim(
+        id="claim/landing-position",
+        family="ledges",
+        sentence=LANDING.sentence,
+        source=LANDING.source,
+        about=LANDING.id,
+        profile=THESIS,
+        premises=(),
+        expected=Verdict.PROVED,
+        obligations=(of_rules(leaving.lands_at_the_near_end),),
+    ),
+    Claim(
+        id="claim/landing-position/overshoot",
+        family="ledges",
+        sentence=LANDING_OVERSHOOT.sentence,
+        source=LANDING_OVERSHOOT.source,
+        about=LANDING_OVERSHOOT.id,
+        profile=OVERSHOOT,
+        premises=(),
+        expected=Verdict.PROVED,
+        obligations=(of_rules(leaving.lands_as_far_beyond),),
     ),
     Claim(
         id="claim/landing-keeps-width",

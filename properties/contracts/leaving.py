@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 from properties.contracts.request import seen_by
 from properties.given import Given
-from properties.worlds.window import Spot, Window, lonely_window, spot
+from properties.worlds.window import ME, Spot, Window, lonely_window, spot
+from spec.number import lesser
 from spec.rules.leave import Departure, Placement, usable
-from spec.rules.request import Rules
+from spec.rules.request import Rules, depart
 from spec.world import Jump
 
 
@@ -95,3 +97,36 @@ def landing_keeps_width(rules: Rules, given: Given) -> None:
     if rule in ("leave/fall", "leave/jump"):
         walked = placed.front.travelled - placed.rear.travelled
         given.ensure("the width is kept", walked == leaving.width)
+
+
+def lands_at_the_near_end(rules: Rules, given: Given) -> None:
+    """The rear border comes down exactly at the foot, or at the near corner."""
+    rule, leaving, placed = leaves(rules, given)
+    ends = [leaving.foot, *(jump.target for jump in leaving.near)]
+    if rule in ("leave/fall", "leave/jump"):
+        given.ensure("the rear border is at a near end", any(placed.rear is end for end in ends))
+
+
+def lands_as_far_beyond(rules: Rules, given: Given) -> None:
+    """The rear border comes down as far beyond the near end as it was beyond the ledge, as far as there is ground."""
+    rule, leaving, placed = leaves(rules, given)
+    ends = [leaving.foot, *(jump.target for jump in leaving.near)]
+    if rule in ("leave/fall", "leave/jump"):
+        (end,) = [end for end in ends if landed_at(placed, end) and end is not None]
+        beyond = lesser(leaving.rear.reach * -1, end.reach)
+        given.ensure("the rear border keeps its position", placed.rear.travelled == end.travelled + beyond)
+
+
+def near_jumps_are_as_short(rules: Rules, given: Given) -> None:
+    """A jump edge is near if the rear border is beyond the ledge and its horizontal extent is from 0 to the width."""
+    width, jump = given.number("width"), any_jump(given, "jump")
+    foot = spot(given, "foot")
+    seen = replace(lonely_window(given, False, ledges=True), body_width=width, jump_edges=(jump,), below=foot)
+    moved, front = given.number("distance moved"), spot(given, "front after the move")
+    leaving = depart(seen_by(given, rules), seen, ME, front, seen.start, moved)
+    gone = seen.start.reach < 0
+    near = (jump.across >= 0) & (jump.across < width) & gone
+    given.ensure("a near jump edge is found, and no other", near == (len(leaving.near) == 1))
+    given.ensure("the fall edge is found", gone == (leaving.foot is foot))
+    same = leaving.front is front and leaving.rear is seen.start and leaving.landing is rules.landing
+    given.ensure("it leaves from where it is", same & (leaving.moved == moved) & (leaving.width == width))
