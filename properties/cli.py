@@ -34,6 +34,7 @@ def refuse(message: str) -> NoReturn:
 def check(
     claim: Annotated[str | None, typer.Argument(help="A claim's ID; all but the long ones if left out.")] = None,
     long: Annotated[bool, typer.Option("--long", help="All claims that take long, instead.")] = False,
+    seed: Annotated[int, typer.Option(help="In which order hunts go through shapes of the same size.")] = 0,
 ) -> None:
     """Settle claims: prove, test or refute them. Exit status 1 if a verdict is not the expected one."""
     from rich.console import Console
@@ -43,7 +44,7 @@ def check(
     from properties.report import show_effort, show_surprises, show_table, write_results
 
     claims = chosen_claims(claim, long)
-    showings = run_all(claims)
+    showings = run_all(claims, seed)
     settled = [settle(one, showings, WITNESSES) for one in claims]
     console = Console(width=None if sys.stdout.isatty() else 120)
     show_table(settled, console)
@@ -75,7 +76,7 @@ def chosen_claims(name: str | None, long: bool) -> Sequence[Claim]:
     return [found]
 
 
-def run_all(claims: Sequence[Claim]) -> dict[Job, Showing]:
+def run_all(claims: Sequence[Claim], seed: int) -> dict[Job, Showing]:
     """Run the evidence of claims in processes, with progress on a terminal."""
     from rich.console import Console
     from rich.progress import Progress
@@ -85,8 +86,12 @@ def run_all(claims: Sequence[Claim]) -> dict[Job, Showing]:
     with Progress(console=Console(stderr=True), transient=True, disable=not sys.stderr.isatty()) as progress:
         task = progress.add_task("evidence", total=None)
         executor = processes()
+
+        def tell(done: int, total: int) -> None:
+            progress.update(task, completed=done, total=total)
+
         try:
-            showings = run(claims, executor, lambda done, total: progress.update(task, completed=done, total=total))
+            showings = run(claims, executor, tell, seed)
         except KeyboardInterrupt:
             executor.shutdown(wait=False, cancel_futures=True)
             print("graphbody: interrupted; nothing was written", file=sys.stderr)

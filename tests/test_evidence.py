@@ -17,6 +17,7 @@ from properties.evidence.witness import refute, write_witness
 from properties.explain import everything
 from reference.play import LIBRARY, play
 from spec.conditions import CONDITIONS
+from spec.guidelines import GUIDELINES, kept_by
 from spec.models import MODELS
 from spec.profiles import THESIS
 from spec.registry import rules_of, statements
@@ -185,4 +186,17 @@ def test_every_rule_row_of_the_register_is_accounted_for():
 @pytest.mark.parametrize("model", MODELS, ids=lambda model: model.id)
 def test_a_model_is_seen_in_a_scenario(model):
     _, _, played = play(LIBRARY / "scenarios" / f"{model.scenario}.json")
+    assert list(played)
+
+
+@pytest.mark.parametrize("seed", [1, 2, 3])
+@pytest.mark.parametrize("name", ["terrain/overshoot", "plane-margin", "horizontal/overshoot"])
+def test_a_hunt_finds_a_witness_that_keeps_all_guidelines_whatever_the_seed(name, seed, tmp_path):
+    claim = settling.by_id(f"claim/{name}")
+    showing = settling.chase(claim.id, seed)
+    assert showing.failures
+    path = write_witness(claim, showing.values, showing.shape, tmp_path)
+    scenario, game, played = play(path)
+    assert "uniform-size, vertical-falls, level-landings, long-grounds, single-layer" in scenario.note
+    assert set(kept_by(game.world)) == {guideline.id for guideline in GUIDELINES}
     assert list(played)

@@ -120,3 +120,15 @@ def test_numbers_are_read_exactly(tmp_path):
     row = load(tmp_path, changed(["bodies", 0, "left", "location"], 0.1))
     assert row.bodies[0].left.location == 0.1
     assert str(row.bodies[0].left.location) != "1/10"
+
+
+def test_the_puzzle_is_solved_by_one_recorded_scenario_and_not_by_the_other():
+    ends = {}
+    for path in library():
+        scenario, game, played = play(path)
+        if scenario.solved is not None:
+            list(played)
+            ends[scenario.name] = (scenario.solved, game.world.solved())
+    assert ends["huge-and-cute-solved"] == (True, True)
+    assert ends["huge-and-cute-failed"] == (False, False)
+    assert all(expected == reached for expected, reached in ends.values())

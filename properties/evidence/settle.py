@@ -100,14 +100,14 @@ def refute(claim_id: str) -> Showing:
     return Showing("z3", seconds, outcome.paths, failures, values=found.values)
 
 
-def chase(claim_id: str) -> Showing:
-    """Hunt for a witness against the promise of a claim."""
+def chase(claim_id: str, seed: int) -> Showing:
+    """Hunt for a witness against the promise of a claim; the seed orders shapes of the same size."""
     from properties.evidence.hunt import go
 
     claim = by_id(claim_id)
     assert claim.hunt is not None
     started = time.perf_counter()
-    quarry = go(claim.hunt, claim.profile)
+    quarry = go(claim.hunt, claim.profile, seed)
     seconds = time.perf_counter() - started
     if quarry.shape is None:
         return Showing("z3", seconds, quarry.paths, open=tuple(quarry.open))
@@ -148,7 +148,7 @@ def by_id(claim_id: str) -> Claim:
 Job = tuple[str, ...]
 
 
-def jobs_of(claim: Claim) -> dict[Job, Callable[[], Showing]]:
+def jobs_of(claim: Claim, seed: int = 0) -> dict[Job, Callable[[], Showing]]:
     """What is to be run for a claim; the same job may serve several claims."""
     jobs: dict[Job, Callable[[], Showing]] = {}
     for obligation in claim.obligations:
@@ -161,15 +161,17 @@ def jobs_of(claim: Claim) -> dict[Job, Callable[[], Showing]]:
     if claim.erratum is not None:
         jobs["refute", claim.id] = partial(refute, claim.id)
     if claim.hunt is not None:
-        jobs["hunt", claim.id] = partial(chase, claim.id)
+        jobs["hunt", claim.id] = partial(chase, claim.id, seed)
     return jobs
 
 
-def run(claims: Iterable[Claim], executor: Executor, progress: Callable[[int, int], None]) -> dict[Job, Showing]:
+def run(
+    claims: Iterable[Claim], executor: Executor, progress: Callable[[int, int], None], seed: int = 0
+) -> dict[Job, Showing]:
     """Run all jobs of some claims, each once; `progress` is told how many are done and how many there are."""
     jobs: dict[Job, Callable[[], Showing]] = {}
     for claim in claims:
-        jobs.update(jobs_of(claim))
+        jobs.update(jobs_of(claim, seed))
     first = sorted(jobs, key=lambda job: job[0] != "sample")
     running: dict[Future[Showing], Job] = {executor.submit(jobs[job]): job for job in first}
     showings: dict[Job, Showing] = {}

@@ -21,6 +21,9 @@ from reference.formats import (
     number_text,
     write,
 )
+from reference.world import World
+from spec.body import Level
+from spec.guidelines import kept_by
 from spec.profiles import Profile
 
 
@@ -46,11 +49,17 @@ def scenario(claim: Claim, values: dict[str, Fraction | bool], shape: Shape | No
     return ScenarioRecord(
         format="graphbody/scenario@1",
         name=name,
-        note=f"A witness against: {claim.sentence}",
+        note=f"A witness against: {claim.sentence} {guidelines_of(stage.level)}",
         level=level_record(stage.level, name),
         profile=claim.profile.name,
         steps=[step_record(step) for step in stage.steps],
     )
+
+
+def guidelines_of(level: Level[Fraction]) -> str:
+    """Which guidelines a level keeps, in a sentence."""
+    kept = [name.removeprefix("guideline/") for name in kept_by(World(level))]
+    return f"The level keeps the guidelines {', '.join(kept)}." if kept else "The level keeps no guideline."
 
 
 def step_record(step: tuple[str, Any] | None) -> StepRecord:
