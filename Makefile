@@ -12,7 +12,7 @@ READY  := $(VENV)/.ready
 
 .PHONY: help
 help: ## list the targets
-	@awk -F ':.*## ' '/^[a-z.]+:.*## / { printf "  make %-9s %s\n", $$1, $$2 }' $(firstword $(MAKEFILE_LIST))
+	@awk -F ':.*## ' '/^[a-z.-]+:.*## / { printf "  make %-10s %s\n", $$1, $$2 }' $(firstword $(MAKEFILE_LIST))
 
 # The packages exactly as pinned: made from nothing whenever the pins change.
 $(PINNED): requirements.txt
@@ -35,7 +35,7 @@ check: $(READY) ## check the specification: every property against every rule an
 	@$(BIN)/graphbody check
 
 .PHONY: check-long
-check-long: $(STAMP) ## check the claims that take long: the hunts for witnesses on small levels
+check-long: $(READY) ## check the claims that take long: the hunts for witnesses on small levels
 	@$(BIN)/graphbody check --long
 
 .PHONY: test
