@@ -74,11 +74,6 @@ def solver_for_reals() -> z3.Solver:
     return solver
 
 
-def normal(formula: z3.BoolRef) -> z3.BoolRef:
-    """A formula with its sums in normal form, so that what was asked before is known again."""
-    return z3.simplify(formula, som=True, arith_lhs=True, sort_sums=True)
-
-
 class Exploration:
     """One depth-first exploration of a program."""
 
@@ -176,13 +171,13 @@ class Path:
         """A symbolic real, at least 0."""
         term = self.exploration.drawn.number(name)
         self.exploration.solver.add(term >= 0)
-        return Symbolic(term)
+        return Symbolic.of(name)
 
     def natural(self, name: str) -> Symbolic:
         """A symbolic whole number, at least 0."""
         term = self.exploration.drawn.natural(name)
         self.exploration.solver.add(term >= 0)
-        return Symbolic(term)
+        return Symbolic.of(name, whole=True)
 
     def flag(self, name: str) -> bool:
         """Either truth value, each on paths of its own."""
@@ -205,18 +200,19 @@ class Path:
         return answer is not False
 
     def decide(self, formula: z3.BoolRef) -> bool:
-        """The branch of this run at a fork. What was decided before on this path is decided."""
-        formula = normal(formula)
-        if z3.is_true(formula) or z3.is_false(formula):
-            return bool(z3.is_true(formula))
-        if formula.get_id() in self.decided:
-            return self.decided[formula.get_id()]
+        """The branch of this run at a fork. What was decided before on this path is decided.
+
+        Equal formulas have one identity in the solver as long as one of them is held, as those of all forks are.
+        """
+        known = self.decided.get(formula.get_id())
+        if known is not None:
+            return known
         forks = self.exploration.forks
         if self.met == len(forks):
             holds = self.may_hold(formula)
             forks.append(Fork(formula, holds, other_open=holds and self.may_hold(z3.Not(formula))))
         fork = forks[self.met]
-        if not fork.formula.eq(formula):
+        if fork.formula.get_id() != formula.get_id():
             raise EngineError("a replay met another fork than the run it repeats")
         self.met += 1
         self.take(fork.formula if fork.branch else z3.Not(fork.formula))
@@ -235,7 +231,7 @@ class Path:
 
     def ensure(self, name: str, promise: Truth) -> None:
         """Take a promise to be judged on this path, or on all into which it forks from here."""
-        self.promised.append((name, normal(z3.Not(formula_of(promise)))))
+        self.promised.append((name, z3.Not(formula_of(promise))))
         self.exploration.outcome.promises += 1
 
     def judge(self) -> None:

@@ -1,40 +1,59 @@
-"""Symbolic numbers and truths. A truth that is asked for a Boolean decides the path of the run."""
+"""Symbolic numbers and truths. A truth that is asked for a Boolean decides the path of the run.
+
+A number is a sum of variables with exact coefficients; it becomes a term of the solver only where it is compared.
+A comparison is kept in one form, however it was written, so that what was asked before is known again.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from contextvars import ContextVar
 from fractions import Fraction
+from functools import lru_cache
 from typing import Any
 
 import z3
 
 DECIDE: ContextVar[Callable[[z3.BoolRef], bool]] = ContextVar("decide")
 
+Variable = tuple[str, bool]
+"""The name of a variable, and whether it is a whole number."""
+
 
 class SymbolicTruth:
-    """A formula. `bool()` of it forks the run; `&` and `|` do not."""
+    """A formula, or the opposite of one. `bool()` of it forks the run; `&` and `|` do not."""
 
-    __slots__ = ("formula",)
+    __slots__ = ("atom", "negative")
     __hash__ = None  # type: ignore[assignment]
 
-    def __init__(self, formula: z3.BoolRef) -> None:
-        self.formula = formula
+    def __init__(self, atom: z3.BoolRef, negative: bool = False) -> None:
+        self.atom, self.negative = atom, negative
+
+    @property
+    def formula(self) -> z3.BoolRef:
+        """The formula as a whole."""
+        return z3.Not(self.atom) if self.negative else self.atom
 
     def __bool__(self) -> bool:
-        return DECIDE.get()(self.formula)
+        return DECIDE.get()(self.atom) != self.negative
 
-    def __and__(self, other: Any) -> SymbolicTruth:
+    def __and__(self, other: Any) -> Any:
+        if isinstance(other, bool):
+            return self if other else False
         return SymbolicTruth(z3.And(self.formula, formula_of(other)))
 
     __rand__ = __and__
 
-    def __or__(self, other: Any) -> SymbolicTruth:
+    def __or__(self, other: Any) -> Any:
+        if isinstance(other, bool):
+            return True if other else self
         return SymbolicTruth(z3.Or(self.formula, formula_of(other)))
 
     __ror__ = __or__
 
     def __eq__(self, other: object) -> Any:
+        if isinstance(other, bool):
+            return self if other else negated(self)
         return SymbolicTruth(self.formula == formula_of(other))
 
 
@@ -43,58 +62,107 @@ def formula_of(truth: object) -> z3.BoolRef:
     return truth.formula if isinstance(truth, SymbolicTruth) else z3.BoolVal(bool(truth))
 
 
-def term_of(number: object) -> z3.ArithRef:
-    """The term of a number. Floats are taken at their exact binary value."""
-    if isinstance(number, Symbolic):
-        return number.term
-    if isinstance(number, int):
-        return z3.IntVal(number)
-    if isinstance(number, Fraction | float):
-        exact = Fraction(number)
-        return z3.Q(exact.numerator, exact.denominator)
-    raise TypeError(f"not a number: {number!r}")
+@lru_cache(maxsize=100_000)
+def compared(parts: tuple[tuple[Variable, Fraction], ...], constant: Fraction, relation: str) -> z3.BoolRef:
+    """The formula that a sum is less than 0 (`<`), at most 0 (`<=`) or 0 (`==`)."""
+    terms = [z3.Q(factor.numerator, factor.denominator) * variable(name) for name, factor in parts]
+    total = z3.Sum([*terms, z3.Q(constant.numerator, constant.denominator)])
+    formula = {"<": total < 0, "<=": total <= 0, "==": total == 0}[relation]
+    return z3.simplify(formula, som=True, arith_lhs=True, sort_sums=True)
+
+
+def variable(name: Variable) -> z3.ArithRef:
+    """The solver's variable, as a real."""
+    return z3.ToReal(z3.Int(name[0])) if name[1] else z3.Real(name[0])
 
 
 class Symbolic:
-    """A symbolic real or whole number. `==` gives a formula, never a structural comparison."""
+    """A symbolic real or whole number, linear in its variables. `==` gives a formula, never a structural comparison.
 
-    __slots__ = ("term",)
+    Floats are taken at their exact binary value.
+    """
+
+    __slots__ = ("constant", "parts")
     __hash__ = None  # type: ignore[assignment]
 
-    def __init__(self, term: z3.ArithRef) -> None:
-        self.term = term
+    def __init__(self, parts: dict[Variable, Fraction], constant: Fraction) -> None:
+        self.parts, self.constant = parts, constant
+
+    @classmethod
+    def of(cls, name: str, whole: bool = False) -> Symbolic:
+        """The variable of a name."""
+        return cls({(name, whole): Fraction(1)}, Fraction(0))
+
+    def plus(self, other: Any, factor: int) -> Symbolic:
+        """The sum with a multiple of another number."""
+        if not isinstance(other, Symbolic):
+            return Symbolic(self.parts, self.constant + Fraction(other) * factor)
+        parts = dict(self.parts)
+        for name, share in other.parts.items():
+            total = parts.get(name, 0) + share * factor
+            if total:
+                parts[name] = Fraction(total)
+            else:
+                parts.pop(name, None)
+        return Symbolic(parts, self.constant + other.constant * factor)
 
     def __add__(self, other: Any) -> Symbolic:
-        return Symbolic(self.term + term_of(other))
+        return self.plus(other, 1)
 
-    def __radd__(self, other: Any) -> Symbolic:
-        return Symbolic(term_of(other) + self.term)
+    __radd__ = __add__
 
     def __sub__(self, other: Any) -> Symbolic:
-        return Symbolic(self.term - term_of(other))
+        return self.plus(other, -1)
 
     def __rsub__(self, other: Any) -> Symbolic:
-        return Symbolic(term_of(other) - self.term)
+        return (self * -1).plus(other, 1)
 
     def __mul__(self, other: Any) -> Symbolic:
-        return Symbolic(z3.simplify(self.term * term_of(other)))
+        """The product with a known number; a product of two unknown ones is not linear, and is refused."""
+        if isinstance(other, Symbolic):
+            if other.parts:
+                raise TypeError("a product of symbolic numbers is not linear")
+            other = other.constant
+        if not other:
+            return Symbolic({}, Fraction(0))
+        return Symbolic({name: share * Fraction(other) for name, share in self.parts.items()}, self.constant * other)
 
     __rmul__ = __mul__
 
-    def __lt__(self, other: Any) -> SymbolicTruth:
-        return SymbolicTruth(self.term < term_of(other))
+    def compare(self, other: Any, relation: str) -> Any:
+        """Whether the difference is in a relation to 0: a plain Boolean where no variable is left in it."""
+        difference = self.plus(other, -1)
+        if not difference.parts:
+            known = difference.constant
+            return {"<": known < 0, "<=": known <= 0, "==": known == 0}[relation]
+        parts = sorted(difference.parts.items())
+        scale = 1 / parts[0][1]
+        turned = scale < 0 and relation != "=="
+        scaled = tuple((name, share * scale) for name, share in parts)
+        if turned:
+            relation = "<=" if relation == "<" else "<"
+        formula = compared(scaled, difference.constant * scale, relation)
+        return SymbolicTruth(formula, negative=turned)
 
-    def __le__(self, other: Any) -> SymbolicTruth:
-        return SymbolicTruth(self.term <= term_of(other))
+    def __lt__(self, other: Any) -> Any:
+        return self.compare(other, "<")
 
-    def __gt__(self, other: Any) -> SymbolicTruth:
-        return SymbolicTruth(self.term > term_of(other))
+    def __le__(self, other: Any) -> Any:
+        return self.compare(other, "<=")
 
-    def __ge__(self, other: Any) -> SymbolicTruth:
-        return SymbolicTruth(self.term >= term_of(other))
+    def __gt__(self, other: Any) -> Any:
+        return negated(self.compare(other, "<="))
+
+    def __ge__(self, other: Any) -> Any:
+        return negated(self.compare(other, "<"))
 
     def __eq__(self, other: object) -> Any:
-        return SymbolicTruth(self.term == term_of(other))
+        return self.compare(other, "==")
 
     def __ne__(self, other: object) -> Any:
-        return SymbolicTruth(self.term != term_of(other))
+        return negated(self.compare(other, "=="))
+
+
+def negated(truth: Any) -> Any:
+    """The opposite of a truth, without deciding it."""
+    return SymbolicTruth(truth.atom, not truth.negative) if isinstance(truth, SymbolicTruth) else not truth
