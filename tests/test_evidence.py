@@ -30,7 +30,7 @@ FLOORS_OF_VERDICTS = {
     PROVED: """
         no-overlap order termination rigid-width on-graph at-most-asked direction bystanders as-far-as-possible
         closed-form determinism additive translation one-rule-applies leaves-only-beyond no-jump-leads-up
-        landing-keeps-width near-jump-edges landing-position landing-position/overshoot
+        landing-keeps-width stays-in-wall near-jump-edges landing-position landing-position/overshoot
     """,
     BOUNDED: """
         mirror edge-split world-is-lawful whole-rows terrain plane-apart-of-two horizontal-alone supports-end

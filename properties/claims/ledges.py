@@ -7,7 +7,7 @@ from typing import Any
 
 from properties.claims.claim import Claim, Hunt, Verdict
 from properties.claims.string import of_rules
-from properties.contracts import leaving
+from properties.contracts import leaving, request
 from spec.conditions import GUIDELINES, PLANE_START
 from spec.invariants import Deed, Invariant
 from spec.number import Truth
@@ -145,6 +145,17 @@ LEAVING: tuple[Claim, ...] = (
         premises=(),
         expected=Verdict.PROVED,
         obligations=(of_rules(leaving.jumps_lead_down_least),),
+    ),
+    Claim(
+        id="claim/stays-in-wall",
+        family="ledges",
+        sentence="A border that a landing has put inside a wall does not move further into it, nor back.",
+        source="6.2.1b; R17, U11",
+        about="walk/in-wall",
+        profile=THESIS,
+        premises=(),
+        expected=Verdict.PROVED,
+        obligations=(of_rules(request.segment_in_wall),),
     ),
     Claim(
         id="claim/near-jump-edges",

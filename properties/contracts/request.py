@@ -19,7 +19,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from properties.given import Given, Infeasible
-from properties.worlds.window import ME, NEIGHBOUR, Capacity, Spot, Window, capacity, spot, window
+from properties.worlds.window import ME, NEIGHBOUR, Capacity, Spot, Window, capacity, lonely_window, spot, window
 from spec.number import greater, lesser
 from spec.profiles import Profile
 from spec.rule import AnyRule, Chooser, Family, GuardError, Rule
@@ -278,6 +278,19 @@ def rear_follows_by_the_same(rules: Rules, given: Given) -> None:
     ends = seen_by(given, rules).follow.choose(tow).effect(tow)
     given.ensure("walks follow as long as they go on", not rounds[-1].going)
     given.ensure("the rear ends where its walks went", ends is rounds[-1].at)
+
+
+def segment_in_wall(rules: Rules, given: Given) -> None:
+    """A border that a landing has put inside a wall stays where it is, whatever is asked of it."""
+    seen = lonely_window(given, edges_long=False, ledges=False)
+    inside = given.number("how far inside the wall")
+    given.assume(inside > 0)
+    start = replace(seen.start, reach=inside * -1)
+    seen = replace(seen, next_length=None, start=start)
+    _, before, after = run_segment(rules, given, seen, no_more_than_asked(given))
+    given.ensure("nothing is moved", after.rest == before.rest)
+    given.ensure("the border is where it was", after.at.travelled == start.travelled)
+    given.ensure("the motion ends", not after.going)
 
 
 def segment_is_a_function(rules: Rules, given: Given) -> None:
