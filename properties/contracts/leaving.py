@@ -8,8 +8,9 @@ from typing import Any
 from properties.contracts.request import seen_by
 from properties.given import Given
 from properties.worlds.window import ME, Spot, Window, lonely_window, spot
-from spec.number import lesser
-from spec.rules.leave import Departure, Placement, usable
+from spec.number import Truth, lesser
+from spec.plane import negated
+from spec.rules.leave import Departure, Placement
 from spec.rules.request import Rules, depart
 from spec.world import Jump
 
@@ -79,11 +80,18 @@ def jumps_lead_down_least(rules: Rules, given: Given) -> None:
         given.ensure("it lands at the end of a jump edge", len(chosen) == 1)
         for jump in chosen:
             given.ensure("the jump does not lead up, and its end is free", (jump.drop >= 0) & jump.free)
-            for other in usable(leaving):
+            for other in leaving.near:
                 shorter = (other.drop > jump.drop) | ((other.drop == jump.drop) & (other.across >= jump.across))
-                given.ensure("no other leads down less, or as little and is shorter", shorter)
+                better = "no other that may be used leads down less, or as little and is shorter"
+                given.ensure(better, negated(may_be_used(other)) | shorter)
     if rule == "leave/blocked":
-        given.ensure("no near jump edge can be used", not usable(leaving))
+        for jump in leaving.near:
+            given.ensure("no near jump edge may be used", negated(may_be_used(jump)))
+
+
+def may_be_used(jump: Jump[Any, Spot]) -> Truth:
+    """Whether a jump edge does not lead up, and its far end is free."""
+    return jump.drop >= 0 if jump.free else False
 
 
 def landed_at(placed: Placement[Any, Spot], near_end: Spot | None) -> bool:

@@ -10,7 +10,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any, Generic
 
-from spec.number import N, Truth, greater, zero_like
+from spec.number import N, Truth, greater, lesser, zero_like
 from spec.rule import AnyFamily, Chooser, Family, Rule
 from spec.rules.walk import Motion, walk_freely
 from spec.world import Jump, P, View
@@ -185,13 +185,8 @@ def some_left(motion: Motion[N, P]) -> Truth:
     return motion.rest > zero_like(motion.rest)
 
 
-def where_it_is(landed: tuple[View[N, Any, P], Motion[N, P]]) -> P:
-    """Where the width ends."""
-    return landed[1].at
-
-
-def inside_the_wall(landed: tuple[View[N, Any, P], Motion[N, P]]) -> P:
-    """Beyond the end of the edge, inside the wall."""
+def where_the_width_ends(landed: tuple[View[N, Any, P], Motion[N, P]]) -> P:
+    """Where the width ends: what is left of it lies beyond the end of the edge, inside the wall."""
     view, motion = landed
     return view.along(motion.at, motion.rest)
 
@@ -204,14 +199,14 @@ FIT: AnyFamily = Family(
             sentence="A body lands across as many ground edges as it is wide, or in overhang at a ledge.",
             source="6.2.1d; R21, A16",
             guard=(all_placed,),
-            effect=where_it_is,
+            effect=where_the_width_ends,
         ),
         Rule(
             id="fit/wall",
             sentence="Where a wall stands within its width, the landing does not fit: the body stands inside it.",
             source="6.2.1d; U11, A16",
             guard=(some_left,),
-            effect=inside_the_wall,
+            effect=where_the_width_ends,
         ),
     ),
 )
@@ -227,4 +222,4 @@ def rear_keeps_across(leaving: Departure[N, P], near_end: P) -> P:
     beyond = leaving.view.across(near_end, leaving.rear)
     distance = greater(beyond, zero_like(beyond))
     rear = walk_freely(leaving.walk, leaving.view, near_end, distance).at
-    return leaving.view.end(rear) if leaving.view.reach(rear) < zero_like(distance) else rear
+    return leaving.view.along(rear, lesser(leaving.view.reach(rear), zero_like(distance)))

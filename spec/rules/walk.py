@@ -89,11 +89,6 @@ def beyond_the_end(step: Step[N, P]) -> Truth:
     return step.reach < zero_like(step.reach)
 
 
-def stop_where_it_is(step: Step[N, P]) -> Motion[N, P]:
-    """Do not move."""
-    return replace(step.motion, going=False)
-
-
 def stop_after(distance: N, at: P, motion: Motion[N, P]) -> Motion[N, P]:
     """The motion, ended at a position `distance` further on."""
     return Motion(at, rest=motion.rest - distance, going=False)
@@ -146,7 +141,7 @@ WALK: AnyFamily = Family(
             sentence="A border that a landing has put inside a wall does not move further into it, nor back.",
             source="6.2.1b; R17, U11",
             guard=(way_open, no_edge_follows, no_ledge_follows, beyond_the_end),
-            effect=stop_where_it_is,
+            effect=move_by_the_way,
         ),
         Rule(
             id="walk/overhang",
