@@ -44,6 +44,8 @@ def check(
     from properties.report import show_effort, show_surprises, show_table, write_results
 
     claims = chosen_claims(claim, long)
+    if BUILD.exists() and not BUILD.is_dir():
+        refuse(f"{BUILD}: expected a directory, to write results to")
     showings = run_all(claims, seed)
     settled = [settle(one, showings, WITNESSES) for one in claims]
     console = Console(width=None if sys.stdout.isatty() else 120)
@@ -126,15 +128,17 @@ def simulate(
 
 
 @app.command()
-def explain(name: Annotated[str, typer.Argument(metavar="ID", help="An ID, as in push/request.")]) -> None:
+def explain(
+    name: Annotated[str, typer.Argument(metavar="ID", help="An ID, as in push/request, or a source, as in R22.")],
+) -> None:
     """Say what an ID stands for: sentence, source, guard, effect, claims, and a scenario in which it fires."""
-    from properties.explain import UnknownID, explain as lines, find
+    from properties.explain import UnknownID, explain as lines, find, of_row
 
     try:
-        statement = find(name)
+        found = of_row(name) if name[:1].isupper() else [find(name)]
     except UnknownID as error:
         refuse(error.args[0])
-    print(*lines(statement), sep="\n")
+    print(*("\n".join(lines(statement)) for statement in found), sep="\n\n")
 
 
 @app.command(name="list")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from difflib import get_close_matches
 from inspect import getdoc
@@ -47,6 +48,18 @@ def find(name: str) -> Statement:
         if candidate in table:
             return table[candidate]
     raise UnknownID(name, list(table))
+
+
+def of_row(row: str) -> list[Statement]:
+    """The statements whose source is a row of the register, as in R22 or A15.
+
+    Raises:
+        UnknownID: if there is none.
+    """
+    found = [one for one in everything().values() if re.search(rf"\b{re.escape(row)}\b", one.source)]
+    if not found:
+        raise UnknownID(row, list(everything()))
+    return found
 
 
 def explain(statement: Statement) -> Iterator[str]:

@@ -59,6 +59,13 @@ def test_bad_input_is_one_line_and_exit_status_two(tmp_path, arguments, line):
     assert list(tmp_path.iterdir()) == []
 
 
+def test_a_file_where_results_are_to_go_is_refused_before_anything_runs(tmp_path):
+    (tmp_path / "build").write_text("")
+    done = graphbody("check", "neighbours-not-twice", cwd=tmp_path)
+    assert done.returncode == 2
+    assert done.stderr == "graphbody: build: expected a directory, to write results to\n"
+
+
 def test_everything_listed_can_be_explained(tmp_path):
     from properties.explain import everything, explain
 
@@ -68,6 +75,13 @@ def test_everything_listed_can_be_explained(tmp_path):
         lines = list(explain(statement))
         assert len(lines) >= 3
         assert statement.kind != "rule" or any("graphbody simulate" in line for line in lines)
+
+
+def test_a_row_of_the_register_is_explained_by_the_statements_that_have_it_as_their_source(tmp_path):
+    done = graphbody("explain", "R22", cwd=tmp_path)
+    assert done.returncode == 0
+    assert "leave/jump  (rule)" in done.stdout
+    assert graphbody("explain", "R99", cwd=tmp_path).returncode == 2
 
 
 def test_help_does_not_load_the_solver(tmp_path):

@@ -106,6 +106,25 @@ def test_what_is_not_a_level_is_refused_in_one_line(tmp_path, text):
     assert "\n" not in str(caught.value)
 
 
+@pytest.mark.parametrize(
+    ("scenario", "floats"),
+    [
+        ({"level": "\u0000", "steps": []}, False),
+        ({"level": {**GOOD, "vertices": [[-1.7e308, 0], [1.7e308, 0]]}, "steps": []}, True),
+        ({"level": GOOD, "steps": [{"request": {"body": "A", "distance": 10**4000}}]}, True),
+        ({"level": GOOD, "steps": [{"request": {"body": "no\nbody", "distance": 1}}]}, False),
+        ({"level": GOOD, "steps": [{}]}, False),
+        ({"level": {**GOOD, "sur\nprise": 1}, "steps": []}, False),
+    ],
+)
+def test_a_bad_scenario_is_refused_in_one_line(tmp_path, scenario, floats):
+    path = tmp_path / "scenario.json"
+    path.write_text(json.dumps({"format": "graphbody/scenario@1", "name": "bad", **scenario}))
+    with pytest.raises(FormatError) as caught:
+        play(path, floats)
+    assert "\n" not in str(caught.value)
+
+
 def test_bodies_wider_than_their_ring_are_refused(tmp_path):
     level = {**GOOD, "circumference": "20", "vertices": [["0", "0"], ["10", "0"]]}
     level["bodies"] = [

@@ -199,7 +199,7 @@ LEAVING: tuple[Claim, ...] = (
         profile=OVERSHOOT,
         premises=(),
         expected=Verdict.PROVED,
-        obligations=(of_rules(leaving.landing_keeps_width),),
+        obligations=(of_rules(leaving.landing_keeps_width), of_rules(leaving.fit_places_the_whole_width)),
     ),
 )
 

@@ -12,6 +12,7 @@ from spec.number import Truth, lesser
 from spec.plane import negated
 from spec.rules.leave import Departure, Placement
 from spec.rules.request import Rules, depart
+from spec.rules.walk import Motion
 from spec.world import Jump
 
 
@@ -105,6 +106,14 @@ def landing_keeps_width(rules: Rules, given: Given) -> None:
     if rule in ("leave/fall", "leave/jump"):
         walked = placed.front.travelled - placed.rear.travelled
         given.ensure("the width is kept", walked == leaving.width)
+
+
+def fit_places_the_whole_width(rules: Rules, given: Given) -> None:
+    """What is left of a width is placed on from where its walk has ended: in the wall, if anything is left."""
+    seen = lonely_window(given, edges_long=False, ledges=True)
+    motion = Motion(seen.start, rest=given.number("width left"), going=False)
+    front = seen_by(given, rules).fit.choose(motion).effect((seen, motion))
+    given.ensure("the whole width is placed", front.travelled == seen.start.travelled + motion.rest)
 
 
 def lands_at_the_near_end(rules: Rules, given: Given) -> None:

@@ -111,6 +111,13 @@ def changes_of(node: ast.AST) -> Iterator[str]:
         yield from replaced(node, "value", [not node.value], before)
     if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "lesser":
         yield from replaced(node, "args", [node.args[:1] * 2, node.args[1:] * 2], before)
+    if isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute) and node.func.attr == "along":
+        at, distance = node.args
+        nothing = ast.parse(f"({ast.unparse(distance)}) * 0", mode="eval").body
+        yield from replaced(node, "args", [[at, nothing]], before)
+    if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "walk_freely":
+        shorter = ast.parse(f"({ast.unparse(node.args[-1])}) * 0", mode="eval").body
+        yield from replaced(node, "args", [[*node.args[:-1], shorter]], before)
     if isinstance(node, ast.Attribute) and node.attr in EXCHANGED and ast.unparse(node.value) in BOTH_SIDED:
         yield from replaced(node, "attr", [EXCHANGED[node.attr]], before)
     if isinstance(node, ast.Expr) and isinstance(node.value, ast.Call):
