@@ -220,7 +220,7 @@ OF_LEDGES: tuple[Reading[None], ...] = (
     reading(
         "which-jump",
         "Of several jump edges that do not lead up, the one with the smallest drop is taken, among equals the one to "
-        "the nearest corner; others that lead up do not matter.",
+        "the nearest corner, then the first in the level's order; others that lead up do not matter.",
         "6.2.1; A23",
         "two supports; any that leads up blocks",
     ),

@@ -29,7 +29,7 @@ def any_departure(rules: Rules, given: Given) -> tuple[Window, Departure[Any, Sp
     rear, moved, width = seen.start, given.number("distance moved"), given.number("width")
     given.assume(width > 0)
     given.assume((rear.reach >= 0) | (moved + rear.reach >= 0))
-    front = seen.along(rear, width)
+    front = replace(seen.along(rear, width), edge=rear.edge + 1)
     jumps = [any_jump(given, name) for name in ("first jump", "second jump") if given.flag(f"there is a {name}")]
     leaving = Departure(
         seen,
@@ -62,7 +62,9 @@ def leaving_keeps_accounts(rules: Rules, given: Given) -> None:
         given.ensure("has a border on its edge", leaving.rear.reach >= 0)
     if rule in ("leave/blocked", "leave/nowhere"):
         cut = leaving.moved - placed.moved
-        given.ensure("the rear border is at the ledge", placed.rear.reach == 0)
+        given.ensure(
+            "the rear border is at the ledge", (placed.rear.reach == 0) & (placed.rear.edge == leaving.rear.edge)
+        )
         given.ensure("the rear border was cut back", placed.rear.travelled == leaving.rear.travelled - cut)
         given.ensure("the front border was cut back", placed.front.travelled == leaving.front.travelled - cut)
     if rule in ("leave/fall", "leave/jump"):
@@ -81,9 +83,11 @@ def jumps_lead_down_least(rules: Rules, given: Given) -> None:
         given.ensure("it lands at the end of a jump edge", len(chosen) == 1)
         for jump in chosen:
             given.ensure("the jump does not lead up, and its end is free", (jump.drop >= 0) & jump.free)
-            for other in leaving.near:
-                shorter = (other.drop > jump.drop) | ((other.drop == jump.drop) & (other.across >= jump.across))
-                better = "no other that may be used leads down less, or as little and is shorter"
+            for place, other in enumerate(leaving.near):
+                earlier = place < next(i for i, one in enumerate(leaving.near) if one is jump)
+                longer = other.across > jump.across if earlier else other.across >= jump.across
+                shorter = (other.drop > jump.drop) | ((other.drop == jump.drop) & longer)
+                better = "no other that may be used leads down less, or as little and is shorter or earlier"
                 given.ensure(better, negated(may_be_used(other)) | shorter)
     if rule == "leave/blocked":
         for jump in leaving.near:
