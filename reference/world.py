@@ -425,7 +425,7 @@ class Facing(Generic[N]):
     def jumps(self, body: int, at: EdgePosition[N]) -> list[Jump[N, EdgePosition[N]]]:
         """The jump edges from the end of this edge: to tops, and from the corner of a top also to ledges (R15, A54)."""
         support = self.world.support(body)
-        own = {body, support} | set(self.world_of_riders(body))
+        own = {body, support} | set(self.riders(body))
         tops = [self.tip(self.world.statics + other, self.direction.opposite) for other in self.world.handles()]
         found = [self.jump(at.edge, top, free=True) for other, top in enumerate(tops) if other not in own]
         if support is not None:
@@ -438,7 +438,7 @@ class Facing(Generic[N]):
         far_x, far_y = self.world.tip_point(target.edge, back)
         return Jump(target, self.world.short_way((far_x - x) * self.direction), y - far_y, free)
 
-    def world_of_riders(self, body: int) -> Iterator[int]:
+    def riders(self, body: int) -> Iterator[int]:
         """Those that ride on a body, and those that ride on them."""
         waiting = [body]
         while waiting:
