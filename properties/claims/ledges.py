@@ -8,6 +8,7 @@ from typing import Any
 from properties.claims.claim import Claim, Hunt, Verdict
 from properties.claims.string import of_rules
 from properties.contracts import leaving, request
+from properties.given import Given
 from spec.conditions import GUIDELINES, PLANE_START
 from spec.invariants import Deed, Invariant
 from spec.number import Truth
@@ -24,6 +25,7 @@ from spec.plane import (
 )
 from spec.profiles import OVERSHOOT, THESIS, Profile
 from spec.readings import LANDING, LANDING_OVERSHOOT
+from spec.rules.request import Rules
 from spec.unsupported import CASES, Case, jumps_into_what_leads_up, jumps_onto_a_ridden_top
 
 Promise = Callable[[Deed[Any], frozenset[str]], Truth]
@@ -122,84 +124,72 @@ def of_case(case: Case) -> Claim:
     )
 
 
+def proved(
+    name: str,
+    about: str,
+    sentence: str,
+    source: str,
+    *programs: Callable[[Rules, Given], None],
+    profile: Profile = THESIS,
+) -> Claim:
+    """A claim about any body at the end of any edge, proved by obligations that assume nothing."""
+    obligations = tuple(of_rules(program) for program in programs)
+    return Claim(f"claim/{name}", "ledges", sentence, source, about, profile, (), Verdict.PROVED, obligations)
+
+
 LEAVING: tuple[Claim, ...] = (
-    Claim(
-        id="claim/leaves-only-beyond",
-        family="ledges",
-        sentence="A body falls or jumps only with both borders beyond the end of its edge; else it stays, or is "
+    proved(
+        "leaves-only-beyond",
+        "leave",
+        "A body falls or jumps only with both borders beyond the end of its edge; else it stays, or is "
         "cut back to the ledge.",
-        source="6.2.1d, 6.2.1e; R21, R22, R23, A14, A24",
-        about="leave",
-        profile=THESIS,
-        premises=(),
-        expected=Verdict.PROVED,
-        obligations=(of_rules(leaving.leaving_keeps_accounts),),
+        "6.2.1d, 6.2.1e; R21, R22, R23, A14, A24",
+        leaving.leaving_keeps_accounts,
     ),
-    Claim(
-        id="claim/no-jump-leads-up",
-        family="ledges",
-        sentence="No fall and no jump leads up; a body falls only where no jump edge is near, and jumps down least.",
-        source="6.2.1; R25, R32, A21, A23",
-        about="leave",
-        profile=THESIS,
-        premises=(),
-        expected=Verdict.PROVED,
-        obligations=(of_rules(leaving.jumps_lead_down_least),),
+    proved(
+        "no-jump-leads-up",
+        "leave",
+        "No fall and no jump leads up; a body falls only where no jump edge is near, and jumps down least.",
+        "6.2.1; R25, R32, A21, A23",
+        leaving.jumps_lead_down_least,
     ),
-    Claim(
-        id="claim/stays-in-wall",
-        family="ledges",
-        sentence="A border that a landing has put inside a wall does not move further into it, nor back.",
-        source="6.2.1b; R17, U11",
-        about="walk/in-wall",
-        profile=THESIS,
-        premises=(),
-        expected=Verdict.PROVED,
-        obligations=(of_rules(request.segment_in_wall),),
+    proved(
+        "stays-in-wall",
+        "walk/in-wall",
+        "A border that a landing has put inside a wall does not move further into it, nor back.",
+        "6.2.1b; R17, U11",
+        request.segment_in_wall,
     ),
-    Claim(
-        id="claim/near-jump-edges",
-        family="ledges",
-        sentence="The jump edges that count at a ledge are those whose horizontal distance is from 0 to the width.",
-        source="6.2.1; R25, A20",
-        about="leave",
-        profile=THESIS,
-        premises=(),
-        expected=Verdict.PROVED,
-        obligations=(of_rules(leaving.near_jumps_are_as_short),),
+    proved(
+        "near-jump-edges",
+        "leave",
+        "The jump edges that count at a ledge are those whose horizontal distance is from 0 to the width.",
+        "6.2.1; R25, A20",
+        leaving.near_jumps_are_as_short,
     ),
-    Claim(
-        id="claim/landing-position",
-        family="ledges",
-        sentence=LANDING.sentence,
-        source=LANDING.source,
-        about=LANDING.id,
-        profile=THESIS,
-        premises=(),
-        expected=Verdict.PROVED,
-        obligations=(of_rules(leaving.lands_at_the_near_end),),
+    proved(
+        "landing-position",
+        LANDING.id,
+        LANDING.sentence,
+        LANDING.source,
+        leaving.lands_at_the_near_end,
     ),
-    Claim(
-        id="claim/landing-position/overshoot",
-        family="ledges",
-        sentence=LANDING_OVERSHOOT.sentence,
-        source=LANDING_OVERSHOOT.source,
-        about=LANDING_OVERSHOOT.id,
+    proved(
+        "landing-position/overshoot",
+        LANDING_OVERSHOOT.id,
+        LANDING_OVERSHOOT.sentence,
+        LANDING_OVERSHOOT.source,
+        leaving.lands_as_far_beyond,
         profile=OVERSHOOT,
-        premises=(),
-        expected=Verdict.PROVED,
-        obligations=(of_rules(leaving.lands_as_far_beyond),),
     ),
-    Claim(
-        id="claim/landing-keeps-width",
-        family="ledges",
-        sentence="A landing keeps the body's width along the graph, or into the wall that it does not fit before.",
-        source="6.2.1d; R21, A16, A31",
-        about="fit",
+    proved(
+        "landing-keeps-width",
+        "fit",
+        "A landing keeps the body's width along the graph, or into the wall that it does not fit before.",
+        "6.2.1d; R21, A16, A31",
+        leaving.landing_keeps_width,
+        leaving.fit_places_the_whole_width,
         profile=OVERSHOOT,
-        premises=(),
-        expected=Verdict.PROVED,
-        obligations=(of_rules(leaving.landing_keeps_width), of_rules(leaving.fit_places_the_whole_width)),
     ),
 )
 
