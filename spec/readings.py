@@ -75,99 +75,86 @@ def reading(name: str, sentence: str, source: str, others: str) -> Reading[None]
     return Reading(f"reading/{name}", sentence, source, others, None)
 
 
-RECORDED: tuple[Reading[None], ...] = (
-    Reading(
-        id="reading/at-the-limit",
-        sentence="At the push limit the body there counts as a wall, and the chain closes up to it.",
-        source="4.2; A6",
-        others="nothing moves",
-        choice=None,
+OF_STRINGS: tuple[Reading[None], ...] = (
+    reading(
+        "at-the-limit",
+        "At the push limit the body there counts as a wall, and the chain closes up to it.",
+        "4.2; A6",
+        "nothing moves",
     ),
-    Reading(
-        id="reading/short-circle",
-        sentence="On a circle with less free space than the distance, the row moves by the free space and stops.",
-        source="4.2; A7",
-        others="the whole ring rotates",
-        choice=None,
+    reading(
+        "short-circle",
+        "On a circle with less free space than the distance, the row moves by the free space and stops.",
+        "4.2; A7",
+        "the whole ring rotates",
     ),
-    Reading(
-        id="reading/too-near",
-        sentence="Towards a body nearer than the margin the free distance is 0; a level may not start so.",
-        source="6.2.1; A10",
-        others="the bodies move apart",
-        choice=None,
+    reading(
+        "too-near",
+        "Towards a body nearer than the margin the free distance is 0; a level may not start so.",
+        "6.2.1; A10",
+        "the bodies move apart",
     ),
-    Reading(
-        id="reading/width",
-        sentence="A body's width is the distance along the graph between its borders.",
-        source="4.3.1, 4.3.2; A11, A31",
-        others="plus margins; Euclidean",
-        choice=None,
+    reading(
+        "width",
+        "A body's width is the distance along the graph between its borders.",
+        "4.3.1, 4.3.2; A11, A31",
+        "plus margins; Euclidean",
     ),
-    Reading(
-        id="reading/margin-to-bodies",
-        sentence="The collision margin is kept towards bodies only, not towards walls.",
-        source="6.2.1; A9",
-        others="towards everything",
-        choice=None,
+    reading(
+        "margin-to-bodies",
+        "The collision margin is kept towards bodies only, not towards walls.",
+        "6.2.1; A9",
+        "towards everything",
     ),
-    Reading(
-        id="reading/sight",
-        sentence="Before each move along one edge the bodies on it and on the next ground edge are looked at; a "
+    reading(
+        "sight",
+        "Before each move along one edge the bodies on it and on the next ground edge are looked at; a "
         "border at a vertex is on both of its edges.",
-        source="6.2.1, 5.2; A12",
-        others="the same edge only; the whole string",
-        choice=None,
+        "6.2.1, 5.2; A12",
+        "the same edge only; the whole string",
     ),
-    Reading(
-        id="reading/occupied",
-        sentence="A body across several edges occupies all of them between its borders.",
-        source="6.2.1; A13",
-        others="its borders only",
-        choice=None,
+    reading(
+        "occupied",
+        "A body across several edges occupies all of them between its borders.",
+        "6.2.1; A13",
+        "its borders only",
     ),
-    Reading(
-        id="reading/vertex-names",
-        sentence="A border at a vertex that two edges share is named by the edge that it came along, or by the next "
+    reading(
+        "vertex-names",
+        "A border at a vertex that two edges share is named by the edge that it came along, or by the next "
         "once it has been asked to go on; both names are one place.",
-        source="6.1.1; A57",
-        others="either name",
-        choice=None,
+        "6.1.1; A57",
+        "either name",
     ),
-    Reading(
-        id="reading/unique-edge",
-        sentence="A level in which two ground edges leave a vertex in one direction is refused.",
-        source="6.1.3; A41",
-        others="the first; a fork",
-        choice=None,
+    reading(
+        "unique-edge",
+        "A level in which two ground edges leave a vertex in one direction is refused.",
+        "6.1.3; A41",
+        "the first; a fork",
     ),
-    Reading(
-        id="reading/left-to-right",
-        sentence="Left to right is the order of the level's vertices, in the plane of the level unrolled.",
-        source="4.1.1; A58",
-        others="world axes",
-        choice=None,
+    reading(
+        "left-to-right",
+        "Left to right is the order of the level's vertices, in the plane of the level unrolled.",
+        "4.1.1; A58",
+        "world axes",
     ),
-    Reading(
-        id="reading/all-push",
-        sentence="Every body may push every other.",
-        source="1.1; A39",
-        others="only some bodies may",
-        choice=None,
+    reading(
+        "all-push",
+        "Every body may push every other.",
+        "1.1; A39",
+        "only some bodies may",
     ),
-    Reading(
-        id="reading/touching-characters",
-        sentence="Two touching characters under one key each act in their own turn, so one may move twice.",
-        source="1.1; A3, A53",
-        others="what others moved it counts",
-        choice=None,
+    reading(
+        "touching-characters",
+        "Two touching characters under one key each act in their own turn, so one may move twice.",
+        "1.1; A3, A53",
+        "what others moved it counts",
     ),
-    Reading(
-        id="reading/kept-speed",
-        sentence="A block leaves a body's velocity unchanged, and so does a push.",
-        source="6.2.1; A2, A38",
-        others="0; the pusher's; the actual distance per time",
-        choice=None,
+    reading(
+        "kept-speed",
+        "A block leaves a body's velocity unchanged, and so does a push.",
+        "6.2.1; A2, A38",
+        "0; the pusher's; the actual distance per time",
     ),
 )
 
@@ -299,6 +286,6 @@ READINGS: tuple[Reading[object], ...] = (
     TICK_ORDER,
     LANDING,
     LANDING_OVERSHOOT,
-    *RECORDED,
+    *OF_STRINGS,
     *OF_LEDGES,
 )
