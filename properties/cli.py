@@ -109,19 +109,28 @@ def simulate(
     as_json: Annotated[bool, typer.Option("--json", help="One JSON line per step.")] = False,
 ) -> None:
     """Play a scenario, step by step, with the rules that fired."""
-    from properties.trace import json_line, text_lines
-    from reference.formats import FormatError
+    from itertools import chain
+
+    import msgspec
+
+    from properties.trace import text_lines
+    from reference.formats.files import FormatError
     from reference.play import play
+    from reference.recording import header_of, lines_of
 
     try:
-        record, game, played = play(scenario, floats)
+        playing = play(scenario, floats)
     except FormatError as error:
         refuse(str(error))
-    if not as_json:
+    record, game = playing.scenario, playing.game
+    if as_json:
+        for line in chain([header_of(playing, floats)], lines_of(playing)):
+            print(msgspec.json.encode(line).decode())
+    else:
         print(f"{record.name}: {record.note}" if record.note else record.name)
         print(*text_lines(None, game), sep="\n")
-    for step in played:
-        print(json_line(step, game) if as_json else "\n".join(text_lines(step, game)))
+        for step in playing.steps:
+            print("\n".join(text_lines(step, game)))
     if record.solved is not None and record.solved != game.world.solved():
         print(f"graphbody: {scenario}: expected solved to be {record.solved}", file=sys.stderr)
         raise typer.Exit(1)

@@ -96,15 +96,15 @@ def firing(rule: str) -> Iterator[str]:
     """The shortest scenario of the library in which a rule fires, and the request in which it does."""
     found = []
     for path in library():
-        scenario, _, played = play(path)
-        for number, step in enumerate(played, start=1):
-            for event in step.events:
-                bodies = [body for body, fired in event.fired if fired == rule]
+        playing = play(path)
+        for number, step in enumerate(playing.steps, start=1):
+            for move in step.moves:
+                bodies = [body for body, fired in move.fired if fired == rule]
                 if bodies:
-                    found.append((len(event.fired), path, scenario.name, number, event, bodies[0]))
+                    found.append((len(move.fired), path, playing.scenario.name, number, move, bodies[0]))
     if found:
-        _, path, name, number, event, body = min(found, key=lambda entry: entry[0])
-        asked = f"{event.body} asked {event.distance}, moved {event.moved}"
+        _, path, name, number, move, body = min(found, key=lambda entry: entry[0])
+        asked = f"{move.body} asked {move.asked}, moved {move.moved}"
         yield f"  fires in scenario {name}, step {number} ({asked}), for {body}"
         yield f"  replay: graphbody simulate {relpath(path)}"
 

@@ -9,22 +9,19 @@ from fractions import Fraction
 from pathlib import Path
 from typing import Any, Generic
 
-from reference.formats import (
-    FormatError,
-    LevelRecord,
-    ScenarioRecord,
-    StepRecord,
-    exact,
-    in_floats,
-    level_of,
-    read_scenario,
-)
-from reference.simulator import Event, Game
-from reference.world import LevelError, world_of
-from spec.body import Body
+import msgspec
+
+from reference.formats.files import FormatError, decode, one_line, pieces, read
+from reference.formats.level import LevelRecord, numbers_of, valid_level
+from reference.formats.numbers import check_denominators, exact
+from reference.formats.scenario import RequestRecord, ScenarioRecord, StepRecord, TickRecord, read_scenario
+from reference.simulator import Fulfilled, Game
+from reference.world import LevelError
+from spec.body import Body, Level
 from spec.graph import Direction
 from spec.number import N
-from spec.profiles import PROFILES
+from spec.profiles import PROFILES, Profile
+from spec.transform import in_floats
 
 LIBRARY = Path(__file__).parent
 LARGEST_FLOAT = Fraction(sys.float_info.max)
@@ -32,16 +29,68 @@ LARGEST_FLOAT = Fraction(sys.float_info.max)
 
 @dataclass(frozen=True)
 class Played(Generic[N]):
-    """One step of a scenario: its record, the requests it consisted of, and all bodies after it."""
+    """One request or one tick: how each request was fulfilled, all bodies after it, and which buttons are pressed."""
 
-    step: StepRecord
-    events: list[Event[N]]
+    asked: RequestRecord | TickRecord
+    moves: tuple[Fulfilled[N], ...]
     bodies: tuple[Body[N], ...]
+    pressed: tuple[bool, ...]
+
+
+@dataclass(frozen=True)
+class Playing:
+    """A scenario, its level as it stands in the file, the game, and its steps as they are played."""
+
+    scenario: ScenarioRecord
+    level: LevelRecord
+    game: Game[Any]
+    steps: Iterator[Played[Any]]
+
+
+class Tagged(msgspec.Struct, frozen=True):
+    """Any document, as far as its format."""
+
+    format: str
 
 
 def library() -> list[Path]:
     """The scenarios that come with the project, by name."""
     return sorted((LIBRARY / "scenarios").glob("*.json"))
+
+
+def format_of(path: Path) -> str:
+    """What a file says it is. The first line of a trace is a document of its own.
+
+    Raises:
+        FormatError: if it does not say.
+    """
+    try:
+        return decode(next(pieces(path), b""), Tagged, str(path)).format
+    except FormatError:
+        return read(path, Tagged).format
+
+
+def read_playable(path: Path) -> tuple[ScenarioRecord, LevelRecord]:
+    """A scenario and its level; a level is a scenario without steps.
+
+    Raises:
+        FormatError: if either cannot be read.
+    """
+    if not format_of(path).startswith("graphbody/level@"):
+        return read_scenario(path)
+    level = read(path, LevelRecord)
+    return ScenarioRecord("graphbody/scenario@1", level.name, level=path.name, steps=[], note=level.note), level
+
+
+def profile_of(name: str) -> Profile:
+    """The profile of a name.
+
+    Raises:
+        LevelError: if there is none.
+    """
+    if name not in PROFILES:
+        raise LevelError("$.profile", f"expected one of {', '.join(PROFILES)}, got {name!r}")
+    return PROFILES[name]
 
 
 def set_up(scenario: ScenarioRecord, level: LevelRecord, floats: bool) -> Game[Any]:
@@ -50,50 +99,58 @@ def set_up(scenario: ScenarioRecord, level: LevelRecord, floats: bool) -> Game[A
     Raises:
         LevelError: if the level, the profile or a step's body is not as it must be.
     """
-    if scenario.profile not in PROFILES:
-        raise LevelError("$.profile", f"expected one of {', '.join(PROFILES)}, got {scenario.profile!r}")
-    held = level_of(level)
-    world_of(held)
-    names = {body.name for body in held.bodies}
-    for i, step in enumerate(scenario.steps):
-        if step.request is not None:
-            check_distance(exact(step.request.distance, f"$.steps[{i}].request.distance"), i, floats)
-            if step.request.body not in names:
-                raise LevelError(f"$.steps[{i}].request.body", f"no body is named {step.request.body!r}")
+    profile = profile_of(scenario.profile)
+    held = valid_level(level, "$.level")
+    distances = list(distances_of(scenario, held))
+    check_denominators([*numbers_of(held), *distances])
+    if floats and any(abs(distance) > LARGEST_FLOAT for _, distance in distances):
+        raise LevelError("$.steps", "expected distances that fit into a float")
     try:
-        return Game(PROFILES[scenario.profile], in_floats(held) if floats else held)
+        return Game(profile, in_floats(held) if floats else held)
     except OverflowError:
         raise LevelError("$.level", "expected numbers that fit into a float") from None
 
 
-def check_distance(distance: Fraction, step: int, floats: bool) -> None:
-    """Refuse a distance that is too large to be computed with."""
-    if floats and abs(distance) > LARGEST_FLOAT:
-        raise LevelError(f"$.steps[{step}].request.distance", "expected a number that fits into a float")
+def distances_of(scenario: ScenarioRecord, level: Level[Any]) -> Iterator[tuple[str, Fraction]]:
+    """The distances that a scenario asks for, each with its place."""
+    names = {body.name for body in level.bodies}
+    for i, step in enumerate(scenario.steps):
+        if step.request is not None:
+            if step.request.body not in names:
+                raise LevelError(f"$.steps[{i}].request.body", f"no body is named {step.request.body!r}")
+            place = f"$.steps[{i}].request.distance"
+            yield place, exact(step.request.distance, place)
 
 
-def steps(game: Game[Any], scenario: ScenarioRecord, floats: bool) -> Iterator[Played[Any]]:
-    """Play the steps one after another."""
-    for step in scenario.steps:
-        events: list[Event[Any]] = []
+def steps(game: Game[Any], asked: list[StepRecord], floats: bool) -> Iterator[Played[Any]]:
+    """Play the steps one after another, tick by tick."""
+    for step in asked:
         if step.request is not None:
             distance = exact(step.request.distance, "$")
-            events.append(game.request(step.request.body, float(distance) if floats else distance))
+            yield played(game, step.request, [game.request(step.request.body, float(distance) if floats else distance)])
         if step.tick is not None:
             for _ in range(step.tick.times):
-                events.extend(game.tick(Direction[step.tick.key.upper()]))
-        yield Played(step, events, tuple(game.world.bodies))
+                tick = TickRecord(step.tick.key)
+                yield played(game, tick, game.tick(Direction[tick.key.upper()]))
 
 
-def play(path: Path, floats: bool = False) -> tuple[ScenarioRecord, Game[Any], Iterator[Played[Any]]]:
-    """A scenario file, its game, and its steps as they are played.
+def played(game: Game[Any], asked: RequestRecord | TickRecord, moves: list[Fulfilled[Any]]) -> Played[Any]:
+    """What came of a step, now that it has been played."""
+    pressed = tuple(game.world.pressed(button) for button in game.level.buttons)
+    return Played(asked, tuple(moves), tuple(game.world.bodies), pressed)
+
+
+def play(path: Path, floats: bool = False) -> Playing:
+    """Open a scenario file to be played; a level file is a scenario without steps.
 
     Raises:
         FormatError: one line that names the file and the place, if anything in it is not as it must be.
     """
-    scenario, level = read_scenario(path)
+    scenario, level = read_playable(path)
     try:
         game = set_up(scenario, level, floats)
     except LevelError as error:
-        raise FormatError(f"{path}: {error}") from None
-    return scenario, game, steps(game, scenario, floats)
+        in_level = isinstance(scenario.level, str) and error.place.startswith("$.level")
+        place = f"{path.parent / str(scenario.level)}: ${error.place[7:]}" if in_level else f"{path}: {error.place}"
+        raise FormatError(one_line(f"{place}: {error.problem}")) from None
+    return Playing(scenario, level, game, steps(game, scenario.steps, floats))

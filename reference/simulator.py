@@ -107,14 +107,14 @@ def move(
 
 
 @dataclass(frozen=True)
-class Event(Generic[N]):
+class Fulfilled(Generic[N]):
     """One request of a game: who was to move how far (negative to the left), how far it did, how, and at what cost.
 
     `work` counts collision queries, edge look-ups and transitions to a next edge.
     """
 
     body: str
-    distance: N
+    asked: N
     moved: N
     fired: tuple[tuple[str, str], ...]
     depth: int
@@ -137,7 +137,7 @@ class Game(Generic[N]):
         self.world = World(self.level)
         self.handles = {body.name: handle for handle, body in enumerate(self.level.bodies)}
 
-    def request(self, body: str, distance: N) -> Event[N]:
+    def request(self, body: str, distance: N) -> Fulfilled[N]:
         """Request a body to move by a signed distance, positive to the right."""
         zero = zero_like(distance)
         direction = Direction.LEFT if distance < zero else Direction.RIGHT
@@ -146,9 +146,9 @@ class Game(Generic[N]):
         moved, record = move(self.profile, self.world, self.handles[body], direction, size, self.most)
         work = {**asdict(self.world.work), "transitions": record.transitions}
         fired = tuple((self.world.bodies[handle].name, rule) for handle, rule in record.fired)
-        return Event(body, distance, moved * direction, fired, record.depth, work)
+        return Fulfilled(body, distance, moved * direction, fired, record.depth, work)
 
-    def tick(self, direction: Direction) -> list[Event[N]]:
+    def tick(self, direction: Direction) -> list[Fulfilled[N]]:
         """One tick with one key held: each character in turn moves by its speed times the tick (R1, R4)."""
         bodies = {body.name: body for body in self.level.bodies}
         characters = [name for name in self.profile.tick_order(list(bodies)) if bodies[name].speed]

@@ -27,7 +27,11 @@ class LevelError(ValueError):
     def __init__(self, place: str, problem: str) -> None:
         """Name the place and what is expected there."""
         super().__init__(f"{place}: {problem}")
-        self.place = place
+        self.place, self.problem = place, problem
+
+    def under(self, place: str) -> LevelError:
+        """The same of a level that is itself at a place in a document."""
+        return LevelError(self.place.replace("$", place, 1), self.problem)
 
 
 @dataclass
@@ -44,7 +48,7 @@ class Row(Generic[N]):
 
     Attributes:
         offsets: where each edge begins, along the string.
-        free: what the bodies on it leave of its length.
+        free: what the bodies on a ring leave of its length.
     """
 
     edges: list[int]
@@ -128,11 +132,12 @@ class World(Generic[N]):
             self.row_of_edge[edge] = row
 
     def settle(self, row: Row[N]) -> None:
-        """Note the places of the bodies of a string, and what they leave free."""
+        """Note the places of the bodies of a string, and what they leave free of a ring."""
         row.place = {body: place for place, body in enumerate(row.order)}
-        row.free = row.length
-        for body in row.order:
-            row.free = row.free - self.width(body)
+        if row.closed:
+            row.free = row.length
+            for body in row.order:
+                row.free = row.free - self.width(body)
 
     def handles(self) -> range:
         """The handles of all bodies, in the level's order."""
@@ -167,14 +172,13 @@ class World(Generic[N]):
     def apart(self, near: EdgePosition[N], far: EdgePosition[N]) -> N:
         """Signed distance from a right border to the left border after it, on the same string.
 
-        On a ring a gap is never longer than all free space together, so what would be longer is an overlap.
+        On a ring a gap is never longer than all free space together, so what is nearer to a whole round is an overlap.
         """
         row = self.row_of_edge[near.edge]
         distance = self.coordinate(far) - self.coordinate(near)
         if row.closed and distance < zero_like(distance):
             distance = distance + row.length
-        assert row.free is not None
-        return distance - row.length if row.closed and distance > row.free else distance
+        return distance - row.length if self.nearly_round(row, distance) else distance
 
     def beside(self, body: int, direction: Direction) -> int | None:
         """The neighbour on one side, or None at the end of a row and for a body alone on a ring."""
@@ -238,8 +242,11 @@ class World(Generic[N]):
         distance = (now - start) * direction
         if row.closed and distance < zero_like(distance):
             distance = distance + row.length
-        assert row.free is not None
-        return distance - row.length if row.closed and distance * 2 > row.free + row.length else distance
+        return distance - row.length if self.nearly_round(row, distance) else distance
+
+    def nearly_round(self, row: Row[N], distance: N) -> bool:
+        """Whether a distance on a ring is nearer to a whole round than to all free space together."""
+        return row.free is not None and bool(distance * 2 > row.free + row.length)
 
     def point(self, at: EdgePosition[N]) -> tuple[N, N]:
         """Where a position is in the plane: through the chain of supports down to a static edge (6.1.2; R12).
@@ -494,12 +501,15 @@ def check_edge(level: Level[N], index: int, side: str, at: EdgePosition[N]) -> N
 def check_supports(level: Level[N]) -> None:
     """Refuse a body that stands, through others, on itself."""
     statics = len(level.graph.edges)
+    grounded: set[int] = set()
     for index in range(len(level.bodies)):
-        below, steps = index, 0
-        while (edge := level.bodies[below].left.edge) >= statics:
-            below, steps = edge - statics, steps + 1
-            if steps > len(level.bodies):
+        below, chain = index, {index}
+        while below not in grounded and (edge := level.bodies[below].left.edge) >= statics:
+            below = edge - statics
+            if below in chain:
                 raise LevelError(f"$.bodies[{index}].left.top", "expected a chain of supports that ends on the ground")
+            chain.add(below)
+        grounded.update(chain)
 
 
 def check_overhang(world: World[N], body: int) -> None:

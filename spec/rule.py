@@ -22,7 +22,8 @@ class Rule(Generic[Facts, Result]):
 
     `guard` is a tuple of predicates on the facts of a situation; the name of each function is the name of
     the conjunct. `effect` maps the facts to what the rule does. `sentence` is normative, `source` names the
-    section of the thesis and the rows of the register.
+    section of the thesis and the rows of the register. `event` is what has happened to the body when the rule has
+    fired, in one word, if it is more than that it moves or stays.
     """
 
     id: str
@@ -30,6 +31,7 @@ class Rule(Generic[Facts, Result]):
     source: str
     guard: tuple[Callable[[Facts], Truth], ...]
     effect: Callable[[Facts], Result]
+    event: str | None = None
 
     kind = "rule"
 

@@ -1,10 +1,11 @@
-"""Changes of a level that ought to change nothing: its mirror image, a moved picture, a split edge."""
+"""Changes of a level that ought to change nothing: its mirror image, a moved picture, a split edge, other numbers."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
 from fractions import Fraction
+from typing import Any
 
 from spec.body import Body, EdgePosition, Level
 from spec.graph import Graph, Vertex, polyline
@@ -73,3 +74,36 @@ def split(level: Level[N], edge: int, at: N, vertex: Vertex[N]) -> Level[N]:
 
     graph = Graph((*level.graph.vertices, vertex), (*edges, right), level.graph.circumference)
     return replace(level, graph=graph, bodies=tuple(with_borders(body, renamed) for body in level.bodies))
+
+
+def with_numbers(level: Level[Any], number: Callable[[Any], Any], slope: Callable[[Any], Any]) -> Level[Any]:
+    """The level in other numbers; `slope` is for the run and rise of edges, which are constants of the graph."""
+
+    def same_place(at: EdgePosition[Any]) -> EdgePosition[Any]:
+        return replace(at, location=number(at.location))
+
+    def maybe(value: Any) -> Any:
+        return None if value is None else number(value)
+
+    graph = level.graph
+    edges = [
+        replace(e, length=number(e.length), run=slope(e.run), rise=slope(e.rise), thickness=maybe(e.thickness))
+        for e in graph.edges
+    ]
+    vertices = [Vertex(number(v.x), number(v.y)) for v in graph.vertices]
+    bodies = [
+        replace(with_borders(body, same_place), speed=number(body.speed), height=number(body.height))
+        for body in level.bodies
+    ]
+    return Level(
+        Graph(tuple(vertices), tuple(edges), maybe(graph.circumference)),
+        number(level.margin),
+        number(level.tick),
+        tuple(bodies),
+        tuple(same_place(at) for at in level.buttons),
+    )
+
+
+def in_floats(level: Level[Fraction]) -> Level[float]:
+    """The level in binary floating point, as a game would hold it."""
+    return with_numbers(level, float, float)

@@ -32,10 +32,14 @@ def test_simulate_prints_what_fired_and_where_everybody_is(tmp_path):
 
 
 @pytest.mark.parametrize("floats", [(), ("--floats",)])
-def test_simulate_writes_json_lines(tmp_path, floats):
+def test_simulate_writes_a_trace(tmp_path, floats):
     done = graphbody("simulate", SCENARIO, "--json", *floats, cwd=tmp_path)
-    steps = [json.loads(line) for line in done.stdout.splitlines()]
-    assert all({"requests", "bodies"} == step.keys() for step in steps)
+    header, *steps = [json.loads(line) for line in done.stdout.splitlines()]
+    assert header["format"] == "graphbody/trace@1"
+    assert [step["step"] for step in steps] == list(range(1, len(steps) + 1))
+    assert {"body": "Box 3", "event": "wall", "rule": "walk/wall"} in [
+        event for step in steps for event in step["events"]
+    ]
     kind = float if floats else str
     assert isinstance(steps[0]["bodies"][0]["left"]["location"], kind)
 

@@ -120,16 +120,17 @@ def test_a_refuted_claim_has_a_witness_that_the_simulator_replays(claim, tmp_pat
     found = refute(claim.profile, claim.erratum).counterexample
     assert found is not None
     path = write_witness(claim, found.values, None, tmp_path)
-    scenario, _, played = play(path)
-    assert len(list(played)) == len(scenario.steps) > 0
+    playing = play(path)
+    assert len(list(playing.steps)) == len(playing.scenario.steps) > 0
 
 
 def test_the_witness_against_short_edges_ends_nearer_than_the_margin(tmp_path):
     claim = settling.by_id("claim/no-overlap-on-short-edges")
     path = write_witness(claim, refute(claim.profile, claim.erratum).counterexample.values, None, tmp_path)
-    _, game, played = play(path)
+    playing = play(path)
+    game = playing.game
     assert game.world.clear(0, 1) >= game.world.margin
-    list(played)
+    list(playing.steps)
     assert game.world.clear(0, 1) < game.world.margin
 
 
@@ -187,8 +188,7 @@ def test_every_rule_row_of_the_register_is_accounted_for():
 
 @pytest.mark.parametrize("model", MODELS, ids=lambda model: model.id)
 def test_a_model_is_seen_in_a_scenario(model):
-    _, _, played = play(LIBRARY / "scenarios" / f"{model.scenario}.json")
-    assert list(played)
+    assert list(play(LIBRARY / "scenarios" / f"{model.scenario}.json").steps)
 
 
 @pytest.mark.parametrize("seed", [1, 2, 3])
@@ -198,7 +198,7 @@ def test_a_hunt_finds_a_witness_that_keeps_all_guidelines_whatever_the_seed(name
     showing = settling.chase(claim.id, seed)
     assert showing.failures
     path = write_witness(claim, showing.values, showing.shape, tmp_path)
-    scenario, game, played = play(path)
-    assert "uniform-size, vertical-falls, level-landings, long-grounds, single-layer" in scenario.note
-    assert set(kept_by(game.world)) == {guideline.id for guideline in GUIDELINES}
-    assert list(played)
+    playing = play(path)
+    assert "uniform-size, vertical-falls, level-landings, long-grounds, single-layer" in playing.scenario.note
+    assert set(kept_by(playing.game.world)) == {guideline.id for guideline in GUIDELINES}
+    assert list(playing.steps)

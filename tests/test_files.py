@@ -4,7 +4,8 @@ import json
 
 import pytest
 
-from reference.formats import FormatError, LevelRecord, level_of, level_record, read
+from reference.formats.files import FormatError, read
+from reference.formats.level import LevelRecord, level_of, level_record
 from reference.play import LIBRARY, library, play
 from reference.world import LevelError, world_of
 from spec.conditions import EDGES_LONG, MARGINS_KEPT
@@ -58,9 +59,9 @@ def test_a_level_of_the_library_is_valid_named_after_its_file_and_survives_a_rou
 
 @pytest.mark.parametrize("path", library(), ids=lambda path: path.stem)
 def test_a_scenario_of_the_library_does_the_same_in_floats(path):
-    runs = [list(play(path, floats)[2]) for floats in (False, True)]
+    runs = [list(play(path, floats).steps) for floats in (False, True)]
     for exact, binary in zip(*runs, strict=True):
-        assert [e.fired for e in exact.events] == [e.fired for e in binary.events]
+        assert [m.fired for m in exact.moves] == [m.fired for m in binary.moves]
         for one, two in zip(exact.bodies, binary.bodies, strict=True):
             assert one.left.edge == two.left.edge
             assert two.left.location == pytest.approx(float(one.left.location), abs=1e-9)
@@ -84,7 +85,7 @@ def test_a_scenario_of_the_library_does_the_same_in_floats(path):
         (["vertices", 1], ["5", "12"], r"\$\.bodies\[0\]\.left\.edge: edge 0 is steeper than 60 degrees"),
         (["circumference"], "10", r"\$\.circumference: expected more than"),
         (["bodies", 1, "name"], "A", r"\$\.bodies\[1\]\.name: expected a name of its own"),
-        (["bodies", 1, "name"], "", r"\$\.bodies\[1\]\.name: expected a name"),
+        (["bodies", 1, "name"], "", r"\$\.bodies\[1\]\.name: Expected `str` of length >= 1"),
         (["bodies", 1, "left", "edge"], 7, r"\$\.bodies\[1\]\.left\.edge: expected 0 to 0, got 7"),
         (["bodies", 1, "left", "location"], "11", r"\$\.bodies\[1\]\.left\.location: expected 0 to 10"),
         (["bodies", 1, "left", "location"], "5", r"\$\.bodies\[1\]: expected the left border to be left"),
@@ -144,10 +145,10 @@ def test_numbers_are_read_exactly(tmp_path):
 def test_the_puzzle_is_solved_by_one_recorded_scenario_and_not_by_the_other():
     ends = {}
     for path in library():
-        scenario, game, played = play(path)
-        if scenario.solved is not None:
-            list(played)
-            ends[scenario.name] = (scenario.solved, game.world.solved())
+        playing = play(path)
+        if playing.scenario.solved is not None:
+            list(playing.steps)
+            ends[playing.scenario.name] = (playing.scenario.solved, playing.game.world.solved())
     assert ends["huge-and-cute-solved"] == (True, True)
     assert ends["huge-and-cute-failed"] == (False, False)
     assert all(expected == reached for expected, reached in ends.values())

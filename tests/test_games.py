@@ -16,12 +16,12 @@ from hypothesis.stateful import (
 
 from properties.strategies.rows import multiples
 from properties.strategies.scenes import levels_with_ledges
-from reference.formats import in_floats
 from reference.simulator import Game
 from spec.graph import Direction
 from spec.invariants import Deed
 from spec.plane import heights, supports_end
 from spec.profiles import OVERSHOOT, THESIS
+from spec.transform import in_floats
 
 FLOORS = {
     "falls": 0.01,

@@ -4,10 +4,11 @@ from fractions import Fraction
 
 import pytest
 
-from reference.formats import BodyRecord, LevelRecord, Position, in_floats, level_of
+from reference.formats.level import BodyRecord, LevelRecord, Position, level_of
 from reference.simulator import Game
 from spec.graph import Direction
 from spec.profiles import THESIS
+from spec.transform import in_floats
 
 
 def game(vertices, bodies, circumference=None, margin="1/4", floats=False):

@@ -83,9 +83,9 @@ def every_rule_fires(profile: Profile) -> int:
     """The scenarios of the library, played, fire every rule of the profile."""
     fired: set[str] = set()
     for path in library():
-        _, game, played = play(path)
-        game.most = MOST_RULES
-        fired.update(rule for step in played for event in step.events for _, rule in event.fired)
+        playing = play(path)
+        playing.game.most = MOST_RULES
+        fired.update(rule for step in playing.steps for move in step.moves for _, rule in move.fired)
     missing = {rule.id for rule in rules_of(profile)} - fired
     assert not missing, f"no scenario fires {', '.join(sorted(missing))}"
     return len(library())

@@ -12,7 +12,6 @@ from typing import Any
 
 from properties.closed_form import displacements
 from properties.strategies.rows import Trial
-from reference.formats import in_floats
 from reference.simulator import move
 from reference.world import World, world_of
 from spec.body import Level
@@ -20,7 +19,7 @@ from spec.conditions import room_between
 from spec.graph import Vertex
 from spec.invariants import ADDITIVE, CLOSED_FORM, DETERMINISM, EDGE_SPLIT, MIRROR, TRANSLATION, equal
 from spec.profiles import Profile
-from spec.transform import mirror, moved, split
+from spec.transform import in_floats, mirror, moved, split
 
 
 @dataclass(frozen=True)

@@ -12,15 +12,10 @@ from properties.engine.explore import Outcome, explore
 from properties.evidence.files import file_name
 from properties.given import Exact, Given
 from properties.worlds.scenes import Shape, scene
-from reference.formats import (
-    RequestRecord,
-    ScenarioRecord,
-    StepRecord,
-    TickRecord,
-    level_record,
-    number_text,
-    write,
-)
+from reference.formats.files import write
+from reference.formats.level import level_record
+from reference.formats.numbers import number_text
+from reference.formats.scenario import RequestRecord, ScenarioRecord, StepRecord, TickRecord
 from reference.world import World
 from spec.body import Level
 from spec.guidelines import kept_by

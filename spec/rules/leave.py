@@ -149,6 +149,7 @@ LEAVE: AnyFamily = Family(
             source="6.2.1d; R3, R21, R25, A4, A17, A48",
             guard=(rear_beyond, unobstructed, fall_edge_there),
             effect=fall,
+            event="fall",
         ),
         Rule(
             id="leave/jump",
@@ -156,6 +157,7 @@ LEAVE: AnyFamily = Family(
             source="6.2.1e, 6.2.1; R15, R22, R25, R32, A21, A23",
             guard=(rear_beyond, some_usable),
             effect=jump_down_least,
+            event="jump",
         ),
         Rule(
             id="leave/blocked",
@@ -163,6 +165,7 @@ LEAVE: AnyFamily = Family(
             source="6.2.1; R25, R32, A24, A54",
             guard=(rear_beyond, obstructed, none_usable),
             effect=stop_at_the_ledge,
+            event="blocked",
         ),
         Rule(
             id="leave/nowhere",
@@ -170,6 +173,7 @@ LEAVE: AnyFamily = Family(
             source="4.4, 6.6c, 7.2; U7, A24, A26",
             guard=(rear_beyond, unobstructed, no_fall_edge),
             effect=stop_at_the_ledge,
+            event="nowhere",
         ),
     ),
 )
@@ -207,6 +211,7 @@ FIT: AnyFamily = Family(
             source="6.2.1d; U11, A16",
             guard=(some_left,),
             effect=where_the_width_ends,
+            event="lands-in-wall",
         ),
     ),
 )

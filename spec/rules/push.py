@@ -78,6 +78,7 @@ PUSH: AnyFamily = Family(
             source="4.2, T4.1, 6.2.1c; R6, R20",
             guard=(short_of_room, permitted, may_ask),
             effect=what_is_missing,
+            event="push",
         ),
         Rule(
             id="push/limit",
@@ -85,6 +86,7 @@ PUSH: AnyFamily = Family(
             source="4.2; R31, A5, A6, A8",
             guard=(short_of_room, permitted, may_not_ask),
             effect=nothing,
+            event="push-limit",
         ),
         Rule(
             id="push/forbidden",
@@ -92,6 +94,7 @@ PUSH: AnyFamily = Family(
             source="1.1; A39",
             guard=(short_of_room, forbidden),
             effect=nothing,
+            event="may-not-push",
         ),
     ),
 )
@@ -150,6 +153,7 @@ CONTACT: AnyFamily = Family(
             source="6.2.1c; R20, R24, R31",
             guard=(stood_still,),
             effect=up_to_contact,
+            event="stopped",
         ),
     ),
 )

@@ -135,6 +135,7 @@ WALK: AnyFamily = Family(
             source="6.2.1b; R19",
             guard=(way_open, exceeds_edge, no_edge_follows, no_ledge_follows, reaches_the_end),
             effect=move_to_the_end,
+            event="wall",
         ),
         Rule(
             id="walk/in-wall",
@@ -142,6 +143,7 @@ WALK: AnyFamily = Family(
             source="6.2.1b; R17, U11",
             guard=(way_open, no_edge_follows, no_ledge_follows, beyond_the_end),
             effect=move_by_the_way,
+            event="in-wall",
         ),
         Rule(
             id="walk/overhang",
@@ -149,6 +151,7 @@ WALK: AnyFamily = Family(
             source="4.3.1, 6.2.1d; R7, R16, R21, A55",
             guard=(way_open, exceeds_edge, ledge_follows),
             effect=move_by_the_way,
+            event="overhang",
         ),
         Rule(
             id="walk/blocked",

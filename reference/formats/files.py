@@ -1,0 +1,86 @@
+"""Reading and writing documents: what every record is, how large a file may be, and errors of one line."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Annotated, TypeVar
+
+import msgspec
+from msgspec import Meta
+
+MOST_BYTES = 64 * 2**20
+MOST_ITEMS = 100_000
+MOST_CHARACTERS = 100
+PLACE = re.compile(r"(?P<problem>.*) - at `(?P<place>\$.*)`", re.DOTALL)
+
+T = TypeVar("T")
+Item = TypeVar("Item")
+Name = Annotated[str, Meta(min_length=1, max_length=MOST_CHARACTERS)]
+Many = Annotated[list[Item], Meta(max_length=MOST_ITEMS)]
+
+
+class FormatError(ValueError):
+    """A file that cannot be read; the message is one line that names the place and what is expected."""
+
+
+class Record(msgspec.Struct, forbid_unknown_fields=True, omit_defaults=True, frozen=True):
+    """What every object in a file is: its fields and no others."""
+
+
+def one_line(text: str) -> str:
+    """A text with whatever would break its line escaped."""
+    return "".join(char if char.isprintable() else repr(char)[1:-1] for char in text)
+
+
+def decode(content: bytes, kind: type[T], where: str) -> T:
+    """Decode one document; `where` names the file, and the line in it.
+
+    Raises:
+        FormatError: with the place in the document and what is expected there.
+    """
+    try:
+        return msgspec.json.decode(content, type=kind)
+    except msgspec.ValidationError as error:
+        found = PLACE.fullmatch(str(error))
+        place, problem = (found["place"], found["problem"]) if found else ("$", str(error))
+        raise FormatError(one_line(f"{where}: {place}: {problem}")) from None
+    except (msgspec.DecodeError, RecursionError, UnicodeError) as error:
+        raise FormatError(one_line(f"{where}: not JSON: {error}")) from None
+
+
+def read(path: Path, kind: type[T]) -> T:
+    """Decode a file.
+
+    Raises:
+        FormatError: with the file, the place in it and what is expected there.
+    """
+    lines = list(pieces(path, whole=True))
+    return decode(lines[0] if lines else b"", kind, str(path))
+
+
+def pieces(path: Path, whole: bool = False) -> Iterator[bytes]:
+    """The lines of a file one after another, or all of it at once; never more of it than a document may have.
+
+    Raises:
+        FormatError: if it cannot be read, or if a document in it is too large.
+    """
+    try:
+        with path.open("rb") as file:
+            while piece := (file.read if whole else file.readline)(MOST_BYTES + 1):
+                if len(piece) > MOST_BYTES:
+                    raise FormatError(f"{path}: $: expected at most {MOST_BYTES} bytes")
+                yield piece
+    except OSError as error:
+        raise FormatError(one_line(f"{path}: {error.strerror}")) from None
+    except ValueError as error:
+        if isinstance(error, FormatError):
+            raise
+        raise FormatError(one_line(f"{str(path)!r}: {error}")) from None
+
+
+def write(path: Path, record: msgspec.Struct) -> None:
+    """Write a record as readable JSON, without fields that hold their default."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_bytes(msgspec.json.format(msgspec.json.encode(record), indent=2) + b"\n")

@@ -1,0 +1,128 @@
+"""Recordings: what a trace holds, read from a trace or made by playing a scenario."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from importlib.metadata import version
+from pathlib import Path
+from typing import Any
+
+from reference.formats.files import FormatError, decode, one_line, pieces
+from reference.formats.level import position_record, valid_level
+from reference.formats.numbers import number_text
+from reference.formats.scenario import RequestRecord, StepRecord, check_step
+from reference.formats.trace import EventRecord, HeaderRecord, LineRecord, MoveRecord, PlaceRecord
+from reference.play import Played, Playing, format_of, play, profile_of
+from reference.simulator import Fulfilled
+from reference.world import LevelError
+from spec.body import Body, Level
+from spec.profiles import Profile
+from spec.registry import rules_of
+
+
+@dataclass(frozen=True)
+class Recording:
+    """A trace: its header, the level and the profile that the header is about, and its lines as they come."""
+
+    header: HeaderRecord
+    level: Level[Any]
+    profile: Profile
+    lines: Iterator[LineRecord]
+
+
+def recording(path: Path, floats: bool = False) -> Recording:
+    """The recording in a trace file, or that of a scenario or level file when it is played.
+
+    Raises:
+        FormatError: one line that names the file, its line and the place, now or when a line is reached.
+    """
+    if format_of(path).startswith("graphbody/trace@"):
+        return read_trace(path)
+    playing = play(path, floats)
+    level, profile = valid_level(playing.level, "$"), playing.game.profile
+    return Recording(header_of(playing, floats), level, profile, lines_of(playing))
+
+
+def read_trace(path: Path) -> Recording:
+    """The recording in a trace file; its lines are read one after another.
+
+    Raises:
+        FormatError: one line that names the file, its line and the place, now or when a line is reached.
+    """
+    content = pieces(path)
+    header = decode(next(content, b""), HeaderRecord, f"{path}:1")
+    try:
+        profile, level = profile_of(header.profile), valid_level(header.level, "$.level")
+    except LevelError as error:
+        raise FormatError(one_line(f"{path}:1: {error}")) from None
+    return Recording(header, level, profile, read_lines(path, content))
+
+
+def read_lines(path: Path, content: Iterator[bytes]) -> Iterator[LineRecord]:
+    """The lines after the header of a trace."""
+    for number, text in enumerate(content, start=1):
+        where = f"{path}:{number + 1}"
+        line = decode(text, LineRecord, where)
+        check_step(StepRecord(line.request, line.tick), f"{where}: $")
+        if line.step is not None and line.step != number:
+            raise FormatError(f"{where}: $.step: expected {number}, got {line.step}")
+        yield line
+
+
+def header_of(playing: Playing, floats: bool) -> HeaderRecord:
+    """The header of the trace of a scenario."""
+    scenario = playing.scenario
+    return HeaderRecord(
+        format="graphbody/trace@1",
+        name=scenario.name,
+        profile=scenario.profile,
+        numbers="float64" if floats else "exact",
+        level=playing.level,
+        made_by=f"graphbody {version('graphbody')}",
+        note=scenario.note,
+    )
+
+
+def lines_of(playing: Playing) -> Iterator[LineRecord]:
+    """The lines of the trace of a scenario, as it is played."""
+    level, events = playing.game.level, events_of(playing.game.profile)
+    return (line_of(step, number, level, events) for number, step in enumerate(playing.steps, start=1))
+
+
+def events_of(profile: Profile) -> dict[str, str]:
+    """The events of a profile, by the IDs of the rules by which they come about."""
+    return {rule.id: rule.event for rule in rules_of(profile) if rule.event is not None}
+
+
+def line_of(step: Played[Any], number: int, level: Level[Any], events: dict[str, str]) -> LineRecord:
+    """A step as it stands in a trace."""
+    fired = [pair for move in step.moves for pair in move.fired]
+    return LineRecord(
+        step=number,
+        request=step.asked if isinstance(step.asked, RequestRecord) else None,
+        tick=None if isinstance(step.asked, RequestRecord) else step.asked,
+        moves=[move_record(move) for move in step.moves],
+        events=[EventRecord(body, events[rule], rule) for body, rule in fired if rule in events],
+        bodies=[place_record(body, level) for body in step.bodies],
+        supports=supports_of(step.bodies, level),
+        pressed=list(step.pressed) if step.pressed else None,
+        solved=all(step.pressed) if step.pressed else None,
+    )
+
+
+def move_record(move: Fulfilled[Any]) -> MoveRecord:
+    """A request as it was fulfilled, as it stands in a trace."""
+    asked, moved = number_text(move.asked), number_text(move.moved)
+    return MoveRecord(move.body, asked, moved, list(move.fired), move.depth, move.work)
+
+
+def place_record(body: Body[Any], level: Level[Any]) -> PlaceRecord:
+    """Where a body is, as it stands in a trace."""
+    return PlaceRecord(body.name, position_record(body.left, level), position_record(body.right, level))
+
+
+def supports_of(bodies: tuple[Body[Any], ...], level: Level[Any]) -> dict[str, str]:
+    """For each body that stands on another, which."""
+    statics = len(level.graph.edges)
+    return {body.name: bodies[body.left.edge - statics].name for body in bodies if body.left.edge >= statics}
