@@ -137,6 +137,31 @@ def simulate(
 
 
 @app.command()
+def validate(
+    traces: Annotated[list[Path], typer.Argument(help="Trace files, of any implementation.")],
+    as_json: Annotated[bool, typer.Option("--json", help="One JSON line per trace.")] = False,
+) -> None:
+    """Hold traces against the rules. Exit status 1 if one does not conform, 2 if one is no trace, 3 if this failed."""
+    from properties.conformance.account import account, json_line, write_divergence
+    from properties.conformance.validate import Crash, validate as report_of
+    from reference.formats.files import FormatError
+
+    status = 0
+    for trace in traces:
+        try:
+            report = report_of(trace)
+        except (FormatError, Crash) as error:
+            print(f"graphbody: {error}", file=sys.stderr)
+            status = max(status, 2 if isinstance(error, FormatError) else 3)
+            continue
+        replay = write_divergence(report)
+        print(json_line(report, replay) if as_json else "\n".join(account(report, replay)))
+        status = max(status, 0 if report.conforms else 1)
+    if status:
+        raise typer.Exit(status)
+
+
+@app.command()
 def explain(
     name: Annotated[str, typer.Argument(metavar="ID", help="An ID, as in push/request, or a source, as in R22.")],
 ) -> None:

@@ -14,6 +14,8 @@ from spec.profiles import Profile
 from spec.rule import AnyRule, Chooser
 from spec.rules.request import Ask, Rules, request
 
+MOST_FIRED = 1_000_000
+
 
 class Endless(Exception):
     """A request has fired more rules than it was given: it does not seem to end."""
@@ -39,7 +41,7 @@ class Record:
         """
         self.fired.append((self.body, rule))
         if self.most is not None and len(self.fired) > self.most:
-            raise Endless(f"more than {self.most} rules fired")
+            raise Endless(f"$: expected a step that ends, more than {self.most} rules fired")
 
     @property
     def transitions(self) -> int:
@@ -125,12 +127,12 @@ class Fulfilled(Generic[N]):
 class Game(Generic[N]):
     """A valid level being played under a profile: requests and ticks, one after another.
 
-    `most` is how many rules may fire in a request, if there is to be a limit.
+    `most` is how many rules may fire in a request.
     """
 
     profile: Profile
     level: Level[N]
-    most: int | None = None
+    most: int = MOST_FIRED
 
     def __post_init__(self) -> None:
         """Set the level up; that it is valid is for `world_of` to check, in exact numbers."""

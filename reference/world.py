@@ -31,7 +31,11 @@ class LevelError(ValueError):
 
     def under(self, place: str) -> LevelError:
         """The same of a level that is itself at a place in a document."""
-        return LevelError(self.place.replace("$", place, 1), self.problem)
+        return type(self)(self.place.replace("$", place, 1), self.problem)
+
+
+class NumberError(LevelError):
+    """A number in a level, or beside it, that cannot be read."""
 
 
 @dataclass
@@ -326,6 +330,11 @@ class World(Generic[N]):
         other.row_of_edge = {edge: row for row in other.rows for edge in row.edges}
         return other
 
+    def become(self, other: World[N]) -> None:
+        """Take over where the bodies of another world of this level are."""
+        same = other.copy()
+        self.bodies, self.rows, self.row_of_edge = same.bodies, same.rows, same.row_of_edge
+
 
 @dataclass(frozen=True)
 class Facing(Generic[N]):
@@ -484,9 +493,6 @@ def check_borders(level: Level[N]) -> None:
             raise LevelError(f"$.bodies[{index}].height", f"expected a number greater than 0, got {body.height}")
         for side, at in (("left", body.left), ("right", body.right)):
             check_edge(level, index, side, at)
-        both_tops = body.left.edge != body.right.edge and max(body.left.edge, body.right.edge) >= len(level.graph.edges)
-        if both_tops:
-            raise LevelError(f"$.bodies[{index}].right", "expected both borders on the same top")
 
 
 def check_edge(level: Level[N], index: int, side: str, at: EdgePosition[N]) -> None:
@@ -522,8 +528,23 @@ def check_overhang(world: World[N], body: int) -> None:
                 name = direction.name.lower() if side == "front" else direction.opposite.name.lower()
                 length = world.length_of(at.edge)
                 raise LevelError(f"{place}.{name}.location", f"expected 0 to {length}, got {at.location}")
-    if world.width(body) <= zero:
-        raise LevelError(place, "expected the left border to be left of the right border")
+
+
+def standing(level: Level[N]) -> World[N]:
+    """The world of a level in which bodies stand, wherever that is: perhaps within each other, or in a wall.
+
+    Raises:
+        LevelError: if a body has no width, or stands on nothing.
+    """
+    check_borders(level)
+    check_supports(level)
+    world = World(level)
+    for body, held in enumerate(level.bodies):
+        if world.row_of_edge[held.left.edge] is not world.row_of_edge[held.right.edge]:
+            raise LevelError(f"$.bodies[{body}].right", "expected both borders on the same string of ground edges")
+        if world.width(body) <= zero_like(level.margin):
+            raise LevelError(f"$.bodies[{body}]", "expected the left border to be left of the right border")
+    return world
 
 
 def world_of(level: Level[N]) -> World[N]:
@@ -532,9 +553,7 @@ def world_of(level: Level[N]) -> World[N]:
     Raises:
         LevelError: if its bodies do not lie on its strings of edges, margin by margin.
     """
-    check_borders(level)
-    check_supports(level)
-    world = World(level)
+    world = standing(level)
     for body in world.handles():
         check_overhang(world, body)
     for row in world.rows:

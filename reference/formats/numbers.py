@@ -11,7 +11,7 @@ from typing import Annotated
 from msgspec import Meta
 
 from reference.formats.files import MOST_CHARACTERS
-from reference.world import LevelError
+from reference.world import NumberError
 
 MOST_DENOMINATOR = 10**1000
 NUMBER = re.compile(r"[+-]?[0-9]+(/[0-9]+|\.[0-9]+)?")
@@ -26,19 +26,19 @@ def exact(value: str | int | float, place: str) -> Fraction:
     """The exact value of a number in a file.
 
     Raises:
-        LevelError: if it is no number, or has too many digits.
+        NumberError: if it is no number, or has too many digits.
     """
     if isinstance(value, int) and abs(value) >= 10**MOST_CHARACTERS:
-        raise LevelError(place, f"expected at most {MOST_CHARACTERS} digits")
+        raise NumberError(place, f"expected at most {MOST_CHARACTERS} digits")
     if isinstance(value, str):
         if len(value) > MOST_CHARACTERS:
-            raise LevelError(place, f"expected at most {MOST_CHARACTERS} characters, got {len(value)}")
+            raise NumberError(place, f"expected at most {MOST_CHARACTERS} characters, got {len(value)}")
         if not NUMBER.fullmatch(value):
-            raise LevelError(place, f'expected a number such as 2, "3/2" or "0.25", got {value!r}')
+            raise NumberError(place, f'expected a number such as 2, "3/2" or "0.25", got {value!r}')
     try:
         return Fraction(value)
     except (ValueError, OverflowError, ZeroDivisionError):
-        raise LevelError(place, f"expected a finite number, got {value!r}") from None
+        raise NumberError(place, f"expected a finite number, got {value!r}") from None
 
 
 def number_text(value: Fraction | float) -> str | float:
@@ -50,10 +50,10 @@ def check_denominators(numbers: Iterable[tuple[str, Fraction]]) -> None:
     """Refuse numbers, each with its place, of which the sums would have denominators without bound.
 
     Raises:
-        LevelError: at the first that makes their least common denominator too large.
+        NumberError: at the first that makes their least common denominator too large.
     """
     common = 1
     for place, number in numbers:
         common = lcm(common, number.denominator)
         if common > MOST_DENOMINATOR:
-            raise LevelError(place, "expected numbers whose common denominator has at most 1000 digits")
+            raise NumberError(place, "expected numbers whose common denominator has at most 1000 digits")

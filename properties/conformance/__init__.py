@@ -1,0 +1,1 @@
+"""Conformance: logs of other implementations, held against the rules."""

@@ -1,0 +1,180 @@
+"""An account of a validation: as text for people, as one JSON line per log for programs."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Literal
+
+import msgspec
+
+from properties.conformance.diagnosis import Conjunct, Diagnosis
+from properties.conformance.judge import Finding
+from properties.conformance.validate import Report, Trouble
+from properties.evidence.files import BUILD
+from reference.formats.files import write
+from reference.formats.scenario import ScenarioRecord
+from spec.registry import statements
+
+DIVERGENCES = BUILD / "divergences"
+
+
+class ConjunctRecord(msgspec.Struct, frozen=True):
+    """A conjunct of a guard, and whether it held."""
+
+    name: str
+    holds: bool
+
+
+class TroubleRecord(msgspec.Struct, frozen=True, omit_defaults=True):
+    """The first step that diverges: where, what was expected and seen, by which rule, and what replays it.
+
+    `instead` is a rule with which the log would be right; `profiles` are those under which it would be.
+    """
+
+    line: int
+    finding: str
+    body: str
+    field: str
+    expected: str
+    seen: str
+    rule: str | None = None
+    guard: list[ConjunctRecord] = []
+    instead: str | None = None
+    instead_guard: list[ConjunctRecord] = []
+    profiles: list[str] = []
+    scenario: ScenarioRecord | None = None
+    replay: str | None = None
+
+
+class ValidationRecord(msgspec.Struct, frozen=True, omit_defaults=True):
+    """What was found in one log: how many steps were found to be what, and the first that diverges.
+
+    `broken` names for each invariant that the log breaks the first line where it does; `invalid` is the line and the
+    place of a state that no body can be in.
+    """
+
+    format: Literal["graphbody/validation@1"]
+    log: str
+    profile: str
+    conforms: bool
+    agrees: int
+    near_boundary: int
+    ambiguous: int
+    diverges: int
+    first: TroubleRecord | None = None
+    broken: dict[str, int] = {}
+    invalid: str | None = None
+
+
+def write_divergence(report: Report) -> Path | None:
+    """Write the scenario of the first step that diverges; return its path, or None if there is none."""
+    if report.first is None or report.first.scenario is None:
+        return None
+    path = DIVERGENCES / f"{report.path.stem}-line-{report.first.step.number}.json"
+    write(path, report.first.scenario)
+    return path
+
+
+def json_line(report: Report, replay: Path | None) -> str:
+    """A report as one line of JSON."""
+    return msgspec.json.encode(record_of(report, replay)).decode()
+
+
+def record_of(report: Report, replay: Path | None) -> ValidationRecord:
+    """A report as a record."""
+    found = report.found
+    return ValidationRecord(
+        format="graphbody/validation@1",
+        log=str(report.path),
+        profile=report.profile,
+        conforms=report.conforms,
+        agrees=found[Finding.AGREES],
+        near_boundary=found[Finding.EITHER],
+        ambiguous=found[Finding.AMBIGUOUS],
+        diverges=found[Finding.DIVERGES],
+        first=None if report.first is None else trouble_record(report.first, replay),
+        broken={invariant: breach.line for invariant, breach in report.broken.items()},
+        invalid=report.invalid,
+    )
+
+
+def trouble_record(trouble: Trouble, replay: Path | None) -> TroubleRecord:
+    """The first step that diverges, as a record."""
+    diagnosis = trouble.diagnosis
+    difference = trouble.differences[0] if diagnosis is None else diagnosis.difference
+    decision = None if diagnosis is None else diagnosis.decision
+    instead = None if diagnosis is None or diagnosis.instead is None else diagnosis.instead.id
+    guards = {} if decision is None else decision.guards
+    return TroubleRecord(
+        line=trouble.step.number,
+        finding=trouble.finding.value,
+        body=difference.body,
+        field=difference.field,
+        expected=difference.expected,
+        seen=difference.seen,
+        rule=None if decision is None else decision.rule.id,
+        guard=[] if decision is None else guard_record(guards[decision.rule.id]),
+        instead=instead,
+        instead_guard=[] if instead is None else guard_record(guards[instead]),
+        profiles=[] if diagnosis is None else list(diagnosis.profiles),
+        scenario=trouble.scenario,
+        replay=None if replay is None else f"graphbody simulate {replay}",
+    )
+
+
+def guard_record(guard: tuple[Conjunct, ...]) -> list[ConjunctRecord]:
+    """The conjuncts of a guard as records."""
+    return [ConjunctRecord(conjunct.name, conjunct.holds) for conjunct in guard]
+
+
+def account(report: Report, replay: Path | None) -> Iterator[str]:
+    """A report as lines of text."""
+    counts = ", ".join(f"{finding.value}: {report.found[finding]}" for finding in Finding if report.found[finding])
+    verdict = "conforms to" if report.conforms else "does not conform to"
+    yield f"{report.path}: {verdict} {report.profile}; {report.found.total()} steps ({counts or 'none'})"
+    if report.invalid is not None:
+        yield f"  invalid state: {report.invalid}"
+    if report.first is not None:
+        yield from account_of_trouble(report.first)
+    if replay is not None:
+        yield f"  replay what the rules do: graphbody simulate {replay}"
+    for invariant, breach in report.broken.items():
+        so = f", as the rules of {report.profile} do" if breach.allowed else ""
+        yield f"  line {breach.line} breaks {invariant}{so}: {statements()[invariant].sentence}"
+
+
+def account_of_trouble(trouble: Trouble) -> Iterator[str]:
+    """The first step that diverges as lines of text."""
+    asked = trouble.step.line.request
+    what = f"{asked.body} asked {asked.distance}" if asked is not None else "a tick"
+    yield f"  line {trouble.step.number}, {what}: {trouble.finding.value}"
+    diagnosis = trouble.diagnosis
+    first = trouble.differences[0] if diagnosis is None else diagnosis.difference
+    yield f"  {first}"
+    for difference in trouble.differences:
+        if difference is not first:
+            yield f"  {difference}"
+    if diagnosis is not None:
+        yield from account_of_diagnosis(diagnosis)
+
+
+def account_of_diagnosis(diagnosis: Diagnosis) -> Iterator[str]:
+    """Rules, and their guards, as lines of text."""
+    decision, instead = diagnosis.decision, diagnosis.instead
+    if decision is None:
+        yield f"  no rule was to move {diagnosis.difference.body}: nothing was asked of it"
+    else:
+        yield f"  rule expected: {decision.rule.id}: {decision.rule.sentence}"
+        yield from guard_lines(decision.guards[decision.rule.id])
+    if decision is not None and instead is not None:
+        yield f"  as seen if it were: {instead.id}: {instead.sentence}"
+        yield from guard_lines(decision.guards[instead.id])
+    for profile in diagnosis.profiles:
+        yield f"  as seen under profile {profile}"
+
+
+def guard_lines(guard: tuple[Conjunct, ...]) -> Iterator[str]:
+    """The conjuncts of a guard as lines of text."""
+    for conjunct in guard:
+        yield f"    {'true ' if conjunct.holds else 'FALSE'}  {conjunct.name}: {conjunct.meaning}"

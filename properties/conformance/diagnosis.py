@@ -1,0 +1,147 @@
+"""The diagnosis of a divergence: the rule that was to apply, what of its guard held, and what mistake looks like it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field, replace
+from fractions import Fraction
+from itertools import islice
+from typing import Any
+
+from properties.conformance.judge import Difference, Expected, Judgement, displaced, expect
+from properties.conformance.log import Step
+from spec.profiles import PROFILES, Profile
+from spec.rule import AnyRule, Chooser, Family
+
+MOST_TRIALS = 200
+
+
+@dataclass(frozen=True)
+class Conjunct:
+    """A conjunct of a guard in the situation at hand."""
+
+    name: str
+    meaning: str
+    holds: bool
+
+
+@dataclass(frozen=True)
+class Decision:
+    """A choice among the rules of a family: for whom, what was chosen, and the guards of all."""
+
+    number: int
+    rule: AnyRule
+    guards: dict[str, tuple[Conjunct, ...]]
+    others: tuple[AnyRule, ...]
+
+
+@dataclass(frozen=True)
+class Diagnosis:
+    """What can be said of a divergence.
+
+    Attributes:
+        difference: the first field that differs, of the body that was to move first.
+        decision: the choice that the log seems to have made differently, or else the most telling for that body.
+        instead: the rule of the same family with which the log would be right, if there is one.
+        profiles: other profiles under which the log would be right.
+    """
+
+    difference: Difference
+    decision: Decision | None
+    instead: AnyRule | None
+    profiles: tuple[str, ...]
+
+
+@dataclass
+class Notebook:
+    """The decisions of a step, in order; `forced` is a rule to be taken at one of them whatever the guards say."""
+
+    forced: tuple[int, AnyRule] | None = None
+    decisions: list[Decision] = field(default_factory=list)
+
+
+@dataclass(frozen=True)
+class Noted:
+    """A family whose decisions are written into a notebook."""
+
+    family: Family[Any, Any]
+    notebook: Notebook
+
+    def choose(self, facts: Any) -> AnyRule:
+        """Return the rule that applies, or the one that is forced."""
+        number = len(self.notebook.decisions)
+        rule = self.family.choose(facts)
+        guards = {one.id: tuple(conjuncts(one, facts)) for one in self.family.rules}
+        others = tuple(one for one in self.family.rules if one is not rule)
+        self.notebook.decisions.append(Decision(number, rule, guards, others))
+        forced = self.notebook.forced
+        return forced[1] if forced is not None and forced[0] == number else rule
+
+
+def conjuncts(rule: AnyRule, facts: Any) -> Iterator[Conjunct]:
+    """The conjuncts of a rule's guard, each judged on its own."""
+    for conjunct in rule.guard:
+        yield Conjunct(conjunct.__name__, (conjunct.__doc__ or "").partition("\n")[0], bool(conjunct(facts)))
+
+
+def noted(profile: Profile, notebook: Notebook) -> Profile:
+    """A profile whose decisions are written into a notebook."""
+
+    def wrap(family: Chooser) -> Chooser:
+        assert isinstance(family, Family)
+        return Noted(family, notebook)
+
+    return replace(profile, rules=profile.rules.through(wrap))
+
+
+def diagnose(profile: Profile, step: Step, judgement: Judgement, tolerance: Fraction) -> Diagnosis:
+    """Diagnose a step that diverges."""
+    difference = first_difference(judgement, step)
+    notebook = Notebook()
+    expected = expect(noted(profile, notebook), step.before, step.asked)
+    of_body = decisions_for(expected, notebook, difference.body)
+    most = MOST_TRIALS + 4 * len(notebook.decisions)
+
+    def as_seen(other: Profile) -> bool:
+        try:
+            instead = expect(other, step.before, step.asked, most)
+            return not any(displaced(instead.world.bodies, step.after, tolerance))
+        except Exception:
+            return False
+
+    culprit = as_if(profile, of_body, as_seen)
+    decision, instead = culprit if culprit is not None else (most_telling(of_body), None)
+    profiles = tuple(name for name, other in PROFILES.items() if other is not profile and as_seen(other))
+    return Diagnosis(difference, decision, instead, profiles)
+
+
+def as_if(
+    profile: Profile, decisions: list[Decision], as_seen: Callable[[Profile], bool]
+) -> tuple[Decision, AnyRule] | None:
+    """The last decision, and the other rule for it, with which the log would be right."""
+    trials = ((decision, rule) for decision in reversed(decisions) for rule in decision.others)
+    for decision, rule in islice(trials, MOST_TRIALS):
+        if as_seen(noted(profile, Notebook((decision.number, rule)))):
+            return decision, rule
+    return None
+
+
+def most_telling(decisions: list[Decision]) -> Decision | None:
+    """The last decision by which something happened, or else the last of all."""
+    telling = [decision for decision in decisions if decision.rule.event is not None] or decisions
+    return telling[-1] if telling else None
+
+
+def first_difference(judgement: Judgement, step: Step) -> Difference:
+    """The difference of the body that was asked first, or of one that it asked, and so on."""
+    fired = [body for record in judgement.expected.records for body, _ in record.fired]
+    order = {step.after.bodies[body].name: place for place, body in reversed(list(enumerate(fired)))}
+    return min(judgement.differences, key=lambda difference: order.get(difference.body, len(fired)))
+
+
+def decisions_for(expected: Expected, notebook: Notebook, name: str) -> list[Decision]:
+    """The decisions that were made for a body; there is one for each rule that fired."""
+    fired = [body for record in expected.records for body, _ in record.fired]
+    bodies = expected.world.bodies
+    pairs = zip(fired, notebook.decisions, strict=True)
+    return [decision for body, decision in pairs if bodies[body].name == name]

@@ -1,0 +1,139 @@
+"""Logs: what each line of a trace says, as states and requests with exact numbers, and how nearly they are known."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from fractions import Fraction
+
+from reference.formats.level import numbers_of, position_of
+from reference.formats.numbers import check_denominators, exact
+from reference.formats.trace import HeaderRecord, LineRecord
+from reference.recording import Recording
+from reference.world import LevelError, NumberError, World, standing
+from spec.body import Body, Level
+from spec.graph import Direction
+from spec.number import greater
+from spec.profiles import Profile
+
+ROUNDINGS = 16
+UNIT_ROUNDOFF = {"exact": Fraction(0), "float64": Fraction(1, 2**53), "float32": Fraction(1, 2**24)}
+LARGEST_ON_GRID = 2**24
+
+
+class RequestError(LevelError):
+    """A line asks for what cannot be asked for."""
+
+
+Request = tuple[int, Direction, Fraction]
+"""A body, a direction, and a distance of at least 0."""
+
+
+@dataclass(frozen=True)
+class Step:
+    """One line of a log: its number in the file, the state before it, what was asked, and what it says came of it."""
+
+    number: int
+    before: World[Fraction]
+    asked: tuple[Request, ...]
+    line: LineRecord
+    after: World[Fraction]
+
+
+def state_after(level: Level[Fraction], line: LineRecord) -> World[Fraction]:
+    """The world in which a line says that its step ended; any state that bodies can be in, good or bad.
+
+    Raises:
+        LevelError: if it is none.
+    """
+    statics = len(level.graph.edges)
+    tops = {body.name: statics + i for i, body in enumerate(level.bodies)}
+    placed: dict[str, Body[Fraction]] = {}
+    for i, place in enumerate(line.bodies):
+        at = f"$.bodies[{i}]"
+        if place.name not in tops or place.name in placed:
+            raise LevelError(f"{at}.name", f"expected each body once, got {place.name!r}")
+        body = level.bodies[tops[place.name] - statics]
+        left, right = position_of(place.left, tops, f"{at}.left"), position_of(place.right, tops, f"{at}.right")
+        placed[place.name] = replace(body, left=left, right=right)
+    if missing := tops.keys() - placed.keys():
+        raise LevelError("$.bodies", f"expected every body, {min(missing)!r} is missing")
+    after = replace(level, bodies=tuple(placed[body.name] for body in level.bodies))
+    check_denominators(numbers_of(after))
+    return standing(after)
+
+
+def requests_of(level: Level[Fraction], profile: Profile, line: LineRecord) -> tuple[Request, ...]:
+    """The requests of a line, in the order in which they are made.
+
+    Raises:
+        LevelError: if a body or a distance is not as it must be.
+    """
+    handles = {body.name: handle for handle, body in enumerate(level.bodies)}
+    if line.request is not None:
+        if line.request.body not in handles:
+            raise RequestError("$.request.body", f"no body is named {line.request.body!r}")
+        distance = exact(line.request.distance, "$.request.distance")
+        direction = Direction.LEFT if distance < 0 else Direction.RIGHT
+        return ((handles[line.request.body], direction, abs(distance)),)
+    assert line.tick is not None
+    direction = Direction[line.tick.key.upper()]
+    bodies = [level.bodies[handles[name]] for name in profile.tick_order(list(handles))]
+    one_tick = [(handles[body.name], direction, body.speed * level.tick) for body in bodies if body.speed]
+    return tuple(one_tick * line.tick.times)
+
+
+def tolerance_of(header: HeaderRecord, level: Level[Fraction], asked: tuple[Request, ...]) -> Fraction:
+    """How far a step of a log may be off: so many roundings of the largest number in sight; 0 on a grid."""
+    if header.grid is not None:
+        return Fraction(0)
+    size = max([largest(level), *(distance for _, _, distance in asked)])
+    return UNIT_ROUNDOFF[header.numbers] * ROUNDINGS * size
+
+
+def largest(level: Level[Fraction]) -> Fraction:
+    """The largest coordinate in a level, in the plane or along all its edges laid end to end."""
+    size = sum((edge.length for edge in level.graph.edges), Fraction(0))
+    for vertex in level.graph.vertices:
+        size = greater(size, greater(abs(vertex.x), abs(vertex.y)))
+    return size
+
+
+def check_grid(grid: Fraction, numbers: Iterator[tuple[str, Fraction]]) -> None:
+    """Refuse numbers that are not on a grid, or so large that a small float could not hold them.
+
+    Raises:
+        NumberError: with the place of the first.
+    """
+    for place, number in numbers:
+        if (number / grid).denominator != 1 or abs(number) >= LARGEST_ON_GRID * grid:
+            raise NumberError(
+                place, f"expected a multiple of the grid {grid}, below {LARGEST_ON_GRID * grid}, got {number}"
+            )
+
+
+def grid_of(log: Recording) -> Fraction | None:
+    """The grid of a log, if it has one. No edge may slope: points on it would not be on the grid.
+
+    Raises:
+        NumberError: with the place of the first number that is not on it.
+    """
+    if log.header.grid is None:
+        return None
+    grid, level = exact(log.header.grid, "$.grid"), log.level
+    if grid <= 0:
+        raise NumberError("$.grid", f"expected a number greater than 0, got {grid}")
+    for i, edge in enumerate(level.graph.edges):
+        if edge.run != 0 and edge.rise != 0:
+            raise NumberError(f"$.level.edges[{i}]", "on a grid expected an edge that is level or vertical")
+    check_grid(grid, (("$.level" + place[1:], number) for place, number in numbers_of(level)))
+    speeds = [("$.level.bodies", number) for body in level.bodies for number in (body.speed, body.speed * level.tick)]
+    check_grid(grid, iter([("$.level", largest(level)), ("$.level.tick", level.tick), *speeds]))
+    return grid
+
+
+def numbers_of_step(asked: tuple[Request, ...], after: World[Fraction]) -> Iterator[tuple[str, Fraction]]:
+    """The numbers that a line adds to those of the level, each with its place."""
+    yield from (("$.request.distance", distance) for _, _, distance in asked)
+    for i, body in enumerate(after.bodies):
+        yield from ((f"$.bodies[{i}]", at.location) for at in (body.left, body.right))

@@ -1,0 +1,135 @@
+"""The smallest scenario for a step that diverges: without bodies that do not matter, in simple numbers."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field, replace
+from fractions import Fraction
+
+import msgspec
+
+from properties.conformance.judge import Expected, expect
+from properties.conformance.log import Step, requests_of
+from properties.conformance.said import fired_in
+from reference.formats.level import BodyRecord, LevelRecord, Position, level_of, level_record
+from reference.formats.numbers import exact
+from reference.formats.scenario import ScenarioRecord, StepRecord
+from reference.formats.trace import LineRecord
+from reference.simulator import Endless
+from reference.world import LevelError, standing, world_of
+from spec.body import EdgePosition
+from spec.profiles import Profile
+
+MOST_TRIALS = 200
+DENOMINATORS = (1, 2, 4, 10, 20, 100, 1000, 10**6)
+
+
+@dataclass
+class Reduction:
+    """The search for a smaller step in which a body still ends where it was expected, by the same rules.
+
+    Attributes:
+        slack: how far from there its borders may then be.
+        trials: how many more steps may be tried.
+    """
+
+    profile: Profile
+    step: Step
+    body: str
+    expected: Expected
+    slack: Fraction
+    trials: int = field(default=MOST_TRIALS)
+
+    def smallest(self, name: str, note: str) -> ScenarioRecord:
+        """The smallest scenario that is found."""
+        line = self.step.line
+        level = level_record(replace(self.step.before.level, buttons=()), name)
+        kept = {self.body, *([] if line.request is None else [line.request.body])}
+
+        def needs_only(bodies: list[BodyRecord]) -> bool:
+            return self.same(with_bodies(level, bodies), line)
+
+        level = with_bodies(level, without_needless(level.bodies, needs_only, kept))
+        simple = (pair for pair in simpler(level, line) if playable(pair[0]) and self.same(*pair))
+        level, line = next(simple, (level, line))
+        asked = StepRecord(request=line.request, tick=line.tick)
+        return ScenarioRecord("graphbody/scenario@1", name, level, [asked], self.profile.name, note=note)
+
+    def same(self, level: LevelRecord, line: LineRecord) -> bool:
+        """Whether the body ends where it was expected, by the same rules."""
+        self.trials -= 1
+        if self.trials < 0:
+            return False
+        try:
+            held = standing(level_of(level))
+            expected = expect(self.profile, held, requests_of(held.level, self.profile, line))
+        except (LevelError, Endless):
+            return False
+        if fired_for(expected, self.body) != fired_for(self.expected, self.body):
+            return False
+        pairs = zip(borders(expected, self.body), borders(self.expected, self.body), strict=True)
+        return all(self.near(one, two) for one, two in pairs)
+
+    def near(self, one: EdgePosition[Fraction], two: EdgePosition[Fraction]) -> bool:
+        """Whether two borders are as good as in the same place: of tops the number may have changed."""
+        statics = self.step.before.statics
+        return min(one.edge, statics) == min(two.edge, statics) and abs(one.location - two.location) <= self.slack
+
+
+def fired_for(expected: Expected, name: str) -> list[str]:
+    """The rules that fired for a body."""
+    return [rule for i in range(len(expected.records)) for body, rule in fired_in(expected, i) if body == name]
+
+
+def borders(expected: Expected, name: str) -> tuple[EdgePosition[Fraction], EdgePosition[Fraction]]:
+    """The borders of a body after a step."""
+    body = next(body for body in expected.world.bodies if body.name == name)
+    return body.left, body.right
+
+
+def with_bodies(level: LevelRecord, bodies: list[BodyRecord]) -> LevelRecord:
+    """The level with other bodies."""
+    return msgspec.structs.replace(level, bodies=bodies)
+
+
+def without_needless(
+    bodies: list[BodyRecord], needs_only: Callable[[list[BodyRecord]], bool], kept: set[str]
+) -> list[BodyRecord]:
+    """The bodies that are needed: the others are left out by halves, quarters and so on, down to single ones."""
+    size = len(bodies)
+    while size:
+        start = 0
+        while start < len(bodies):
+            rest = [body for i, body in enumerate(bodies) if body.name in kept or not start <= i < start + size]
+            if len(rest) < len(bodies) and needs_only(rest):
+                bodies = rest
+            else:
+                start += size
+        size //= 2
+    return bodies
+
+
+def simpler(level: LevelRecord, line: LineRecord) -> Iterator[tuple[LevelRecord, LineRecord]]:
+    """The step with its numbers rounded to simple fractions, the simplest first."""
+    for most in DENOMINATORS:
+
+        def rounded(number: str | int | float, most: int = most) -> str:
+            return str(exact(number, "$").limit_denominator(most))
+
+        def at(position: Position, most: int = most) -> Position:
+            return msgspec.structs.replace(position, location=rounded(position.location, most))
+
+        bodies = [msgspec.structs.replace(b, left=at(b.left), right=at(b.right)) for b in level.bodies]
+        request = line.request
+        if request is not None:
+            request = msgspec.structs.replace(request, distance=rounded(request.distance))
+        yield with_bodies(level, bodies), msgspec.structs.replace(line, request=request)
+
+
+def playable(level: LevelRecord) -> bool:
+    """Whether a simulator accepts a level."""
+    try:
+        world_of(level_of(level))
+    except LevelError:
+        return False
+    return True

@@ -1,0 +1,90 @@
+"""What a line says beside where the bodies are: distances moved, rules, events, supports, buttons, the goal."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from fractions import Fraction
+
+from properties.conformance.judge import Difference, Expected, readable
+from properties.conformance.log import Request
+from reference.formats.numbers import exact
+from reference.formats.trace import LineRecord, MoveRecord
+from reference.recording import events_of, supports_of
+from reference.world import World
+from spec.body import EdgePosition
+from spec.profiles import Profile
+
+
+def of_the_state(line: LineRecord, seen: World[Fraction], tolerance: Fraction) -> Iterator[Difference]:
+    """What a line says of the state after it, and is not so in the state that it says it is."""
+    supports = supports_of(seen.level.bodies, seen.level)
+    if line.supports is not None and line.supports != supports:
+        yield Difference("", "supports", str(supports), str(line.supports))
+    buttons = seen.level.buttons
+    pressed = [seen.pressed(button) for button in buttons]
+    open_to_both = [at_a_border(seen, button, tolerance) for button in buttons]
+    told = pressed if line.pressed is None else line.pressed
+    wrong = [one != two and not either for one, two, either in zip(pressed, told, open_to_both, strict=False)]
+    if any(wrong) or len(told) != len(pressed):
+        yield Difference("", "pressed", str(pressed), str(told))
+    known = line.pressed is not None or not any(open_to_both)
+    if line.solved is not None and line.solved != all(told) and known:
+        yield Difference("", "solved", str(all(told)), str(line.solved))
+
+
+def at_a_border(seen: World[Fraction], button: EdgePosition[Fraction], tolerance: Fraction) -> bool:
+    """Whether a button is so near to a border that it may or may not be pressed."""
+    row, along = seen.row_of_edge[button.edge], seen.coordinate(button)
+    bodies = [seen.bodies[body] for body in row.order]
+    borders = [seen.coordinate(border) for body in bodies for border in (body.left, body.right)]
+    return tolerance > 0 and any(abs(along - border) <= tolerance for border in borders)
+
+
+def of_the_moves(
+    line: LineRecord, asked: tuple[Request, ...], expected: Expected, tolerance: Fraction
+) -> Iterator[Difference]:
+    """What a line says of its requests, and is not so; in exact numbers also what it says of the rules that fired."""
+    names = [expected.world.bodies[body].name for body, _, _ in asked]
+    told = names if line.moves is None else [move.body for move in line.moves]
+    if told != names:
+        yield Difference("", "moves", f"those of {', '.join(names)}", f"those of {', '.join(told)}")
+    else:
+        for i, move in enumerate(line.moves or []):
+            yield from of_a_move(i, move, asked[i], expected, tolerance)
+
+
+def of_a_move(
+    index: int, move: MoveRecord, asked: Request, expected: Expected, tolerance: Fraction
+) -> Iterator[Difference]:
+    """What a line says of one of its requests, and is not so."""
+    _, direction, distance = asked
+    place = f"$.moves[{index}]"
+    for field, value, right in (
+        ("asked", move.asked, distance * direction),
+        ("moved", move.moved, expected.moved[index]),
+    ):
+        if abs(exact(value, f"{place}.{field}") - right) > tolerance:
+            yield Difference(move.body, field, readable(right), str(value))
+    fired = fired_in(expected, index)
+    if not tolerance and move.fired is not None and move.fired != fired:
+        first = next((i for i, pair in enumerate(fired) if move.fired[i : i + 1] != [pair]), len(fired))
+        right_pair, told = (" ".join(pairs[first]) if first < len(pairs) else "none" for pairs in (fired, move.fired))
+        yield Difference(move.body, f"fired[{first}]", right_pair, told)
+
+
+def fired_in(expected: Expected, index: int) -> list[tuple[str, str]]:
+    """The rules that fired in a request, each with its body."""
+    bodies = expected.world.bodies
+    return [(bodies[body].name, rule) for body, rule in expected.records[index].fired]
+
+
+def of_the_events(line: LineRecord, profile: Profile, expected: Expected, tolerance: Fraction) -> Iterator[Difference]:
+    """What a line in exact numbers says of its events, and is not so."""
+    if tolerance or line.events is None:
+        return
+    events = events_of(profile)
+    fired = [pair for index in range(len(expected.records)) for pair in fired_in(expected, index)]
+    right = [f"{body} {events[rule]} by {rule}" for body, rule in fired if rule in events]
+    told = [f"{event.body} {event.event} by {event.rule}" for event in line.events]
+    if told != right:
+        yield Difference("", "events", "; ".join(right) or "none", "; ".join(told) or "none")

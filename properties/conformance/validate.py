@@ -1,0 +1,185 @@
+"""Validation: a log is read line by line, each step is judged, and what was found is summed up."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator
+from dataclasses import dataclass, field, replace
+from fractions import Fraction
+from pathlib import Path
+
+from properties.conformance.diagnosis import Diagnosis, diagnose
+from properties.conformance.judge import Difference, Finding, Judgement, judge
+from properties.conformance.log import (
+    RequestError,
+    Step,
+    check_grid,
+    grid_of,
+    numbers_of_step,
+    requests_of,
+    state_after,
+    tolerance_of,
+)
+from properties.conformance.minimise import Reduction
+from properties.conformance.said import of_the_events, of_the_moves, of_the_state
+from reference.formats.files import FormatError, one_line
+from reference.formats.scenario import ScenarioRecord
+from reference.recording import Recording, read_trace
+from reference.simulator import Endless
+from reference.world import LevelError, NumberError, World
+from spec.graph import Direction
+from spec.invariants import NO_OVERLAP, RIGID_WIDTH, Deed, Invariant
+from spec.plane import APART, NEVER_RAISED, PLANE_MARGIN, TERRAIN
+
+OF_STRINGS: tuple[Invariant, ...] = (NO_OVERLAP, RIGID_WIDTH)
+IN_PLANE: tuple[Invariant, ...] = (APART, PLANE_MARGIN, TERRAIN, NEVER_RAISED)
+MOST_IN_PLANE = 32
+ANY_SLACK = Fraction(1, 100)
+
+
+@dataclass(frozen=True)
+class Trouble:
+    """The first step of a log that diverges, or is ambiguous, and all that can be said of it."""
+
+    step: Step
+    finding: Finding
+    differences: tuple[Difference, ...]
+    diagnosis: Diagnosis | None
+    scenario: ScenarioRecord | None
+
+
+@dataclass(frozen=True)
+class Breach:
+    """A line of a log in which an invariant is broken, and whether the step is one that the rules allow."""
+
+    line: int
+    allowed: bool
+
+
+@dataclass
+class Report:
+    """What was found in one log.
+
+    Attributes:
+        found: how many steps were found to be what.
+        first: the first step that diverges, or else the first that is ambiguous.
+        broken: for each invariant that was broken, by the log's own states, where it was first.
+        invalid: the line and the place of a state that no body can be in, at which the validation ended.
+    """
+
+    path: Path
+    profile: str
+    found: Counter[Finding] = field(default_factory=Counter)
+    first: Trouble | None = None
+    broken: dict[str, Breach] = field(default_factory=dict)
+    invalid: str | None = None
+
+    @property
+    def conforms(self) -> bool:
+        """Whether every step is one that the rules allow."""
+        return self.invalid is None and not self.found[Finding.DIVERGES] and not self.found[Finding.AMBIGUOUS]
+
+
+class Crash(Exception):
+    """The validator itself failed at a line: that says nothing of the log."""
+
+
+class StateError(Exception):
+    """A line of a log says that its step ended in a state that no body can be in."""
+
+
+def validate(path: Path) -> Report:
+    """Judge every step of a trace from the trace's own state before it.
+
+    Raises:
+        FormatError: one line, if the file is not a trace.
+        Crash: if this program fails.
+    """
+    log = read_trace(path)
+    report = Report(path, log.profile.name)
+    try:
+        for step in steps_of(path, log):
+            look_at(step, log, report)
+    except (NumberError, Endless) as error:
+        raise FormatError(one_line(f"{path}:{step.number}: {error}")) from None
+    except StateError as error:
+        report.invalid = str(error)
+    except FormatError:
+        raise
+    except Exception as error:
+        raise Crash(f"{path}: internal error, please report it: {error!r}") from error
+    return report
+
+
+def steps_of(path: Path, log: Recording) -> Iterator[Step]:
+    """The steps of a log, one after another.
+
+    Raises:
+        FormatError: at the first line with a number or a name that is not as it must be.
+        StateError: at the first line that says that its step ended in a state that no body can be in.
+    """
+    number = 1
+    try:
+        grid = grid_of(log)
+        state = World(log.level)
+        for number, line in enumerate(log.lines, start=2):
+            asked = requests_of(log.level, log.profile, line)
+            after = state_after(log.level, line)
+            if grid is not None:
+                check_grid(grid, numbers_of_step(asked, after))
+            yield Step(number, state, asked, line, after)
+            state = after
+    except (NumberError, RequestError) as error:
+        raise FormatError(one_line(f"{path}:{number}: {error}")) from None
+    except LevelError as error:
+        raise StateError(one_line(f"{path}:{number}: {error}")) from None
+
+
+def look_at(step: Step, log: Recording, report: Report) -> None:
+    """Judge a step; explain it if it is the first of its kind."""
+    tolerance = tolerance_of(log.header, log.level, step.asked)
+    judgement = judge(log.profile, step.before, step.asked, step.after, tolerance)
+    finding, differences = judgement.finding, judgement.differences
+    said = list(of_the_state(step.line, step.after, tolerance))
+    if finding is Finding.AGREES:
+        said += of_the_moves(step.line, step.asked, judgement.expected, tolerance)
+        said += of_the_events(step.line, log.profile, judgement.expected, tolerance)
+    if said and finding is not Finding.DIVERGES:
+        finding, differences = Finding.DIVERGES, tuple(said)
+    report.found[finding] += 1
+    if finding in (Finding.DIVERGES, Finding.AMBIGUOUS) and outranks(finding, report.first):
+        report.first = trouble(step, log, replace(judgement, finding=finding, differences=differences), tolerance)
+    for invariant in broken_by(step, tolerance):
+        report.broken.setdefault(invariant.id, Breach(step.number, allowed=finding is not Finding.DIVERGES))
+
+
+def outranks(finding: Finding, first: Trouble | None) -> bool:
+    """Whether a finding is to be explained: the first divergence, or what is ambiguous before any."""
+    return first is None or (finding is Finding.DIVERGES and first.finding is Finding.AMBIGUOUS)
+
+
+def trouble(step: Step, log: Recording, judgement: Judgement, tolerance: Fraction) -> Trouble:
+    """All that can be said of a step that diverges."""
+    moved = [difference for difference in judgement.differences if difference.field in ("left", "right")]
+    if not moved:
+        return Trouble(step, judgement.finding, judgement.differences, None, None)
+    diagnosis = diagnose(log.profile, step, judgement, tolerance)
+    slack = diagnosis.difference.apart / 4 or ANY_SLACK
+    reduction = Reduction(log.profile, step, diagnosis.difference.body, judgement.expected, slack)
+    note = f"Line {step.number} of {log.header.name} has {diagnosis.difference}."
+    scenario = reduction.smallest(f"line-{step.number}", note)
+    return Trouble(step, judgement.finding, judgement.differences, diagnosis, scenario)
+
+
+def broken_by(step: Step, tolerance: Fraction) -> Iterator[Invariant]:
+    """The invariants that hold before a step and not after it; those in the plane if bodies are not too many."""
+    few = len(step.after.bodies) <= MOST_IN_PLANE
+    for invariant in (*OF_STRINGS, *(IN_PLANE if few else ())):
+        if not invariant.holds(deed_of(step, step.before, step.after, tolerance)):
+            yield invariant
+
+
+def deed_of(step: Step, before: World[Fraction], after: World[Fraction], tolerance: Fraction) -> Deed[Fraction]:
+    """A step as the invariants see it, as far as a log tells."""
+    body, direction, asked = step.asked[0] if step.asked else (0, Direction.RIGHT, Fraction(0))
+    return Deed(before, after, body, direction, asked, asked, 0, 0, 0, tolerance)
