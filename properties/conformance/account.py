@@ -59,7 +59,7 @@ class ValidationRecord(msgspec.Struct, frozen=True, omit_defaults=True):
     profile: str
     conforms: bool
     agrees: int
-    near_boundary: int
+    one_of_several: int
     ambiguous: int
     diverges: int
     first: TroubleRecord | None = None
@@ -90,7 +90,7 @@ def record_of(report: Report, replay: Path | None) -> ValidationRecord:
         profile=report.profile,
         conforms=report.conforms,
         agrees=found[Finding.AGREES],
-        near_boundary=found[Finding.EITHER],
+        one_of_several=found[Finding.ONE_OF_SEVERAL],
         ambiguous=found[Finding.AMBIGUOUS],
         diverges=found[Finding.DIVERGES],
         first=None if report.first is None else trouble_record(report.first, replay),

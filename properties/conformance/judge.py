@@ -1,7 +1,8 @@
 """The judge: whether a step of a log is one that the rules allow, from the log's own state before it.
 
 So errors do not add up. Where numbers are known nearly and a step is near a boundary of a guard, every outcome that
-the rules have there is allowed, and the judge says so; everywhere else there is one.
+the rules have there is allowed, and the judge says so; so it is where bodies of a string begin at the same place, for
+then a log does not tell which comes first. Everywhere else there is one outcome.
 """
 
 from __future__ import annotations
@@ -28,7 +29,7 @@ class Finding(Enum):
     """What the judge found of a step."""
 
     AGREES = "agrees"
-    EITHER = "agrees near a boundary"
+    ONE_OF_SEVERAL = "agrees with one of several outcomes"
     AMBIGUOUS = "ambiguous"
     DIVERGES = "diverges"
 
@@ -92,21 +93,20 @@ def judge(
     differences = tuple(displaced(expected.world.bodies, seen, tolerance))
     if not differences:
         return Judgement(Finding.AGREES, expected, ())
-    finding = among_all_ways(profile, before, asked, seen, tolerance) if tolerance else Finding.DIVERGES
-    return Judgement(finding, expected, differences)
+    return Judgement(among_all_ways(profile, before, asked, seen, tolerance), expected, differences)
 
 
 def among_all_ways(
     profile: Profile, before: World[Fraction], asked: Sequence[Request], seen: World[Fraction], tolerance: Fraction
 ) -> Finding:
-    """Whether the bodies are where they may be if ties are broken in another way."""
+    """Whether the bodies are where they may be if ties are broken in another way, of numbers and of places in a row."""
     ways = Ways(profile, tolerance)
     try:
-        worlds = ways.one_after_another(ways.begin(before.level), asked)
+        worlds = ways.one_after_another(before.level, asked)
     except TooManyWays:
         return Finding.AMBIGUOUS
     allowed = any(not any(displaced(world.bodies, seen, tolerance)) for world in worlds)
-    return Finding.EITHER if allowed else Finding.DIVERGES
+    return Finding.ONE_OF_SEVERAL if allowed else Finding.DIVERGES
 
 
 def displaced(bodies: Sequence[Body[Any]], seen: World[Fraction], tolerance: Fraction) -> Iterator[Difference]:

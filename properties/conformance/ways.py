@@ -7,9 +7,10 @@ one. The exact outcome is always the first.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
+from itertools import islice, permutations, product
 from typing import Any
 
 from properties.engine.ties import TIES, Choices, Near, Ties, TooManyWays, every_way, value_of
@@ -17,7 +18,7 @@ from reference.world import World
 from spec.body import EdgePosition, Level
 from spec.graph import Direction
 from spec.profiles import Profile
-from spec.rule import AnyRule, Chooser
+from spec.rule import AnyRule, Chooser, GuardError
 from spec.rules.request import Ask, request
 from spec.transform import with_numbers
 
@@ -66,18 +67,35 @@ class Asking:
 
 @dataclass
 class Ways:
-    """The worlds that requests may lead to under a profile; world 0 is the level's."""
+    """The worlds that requests may lead to under a profile, by their numbers."""
 
     profile: Profile
     tolerance: Fraction
     worlds: list[World[Any]] = field(default_factory=list)
     known: dict[Question, list[Outcome]] = field(default_factory=dict)
 
-    def begin(self, level: Level[Fraction]) -> int:
-        """The number of the world of a level, as if its numbers were known nearly."""
+    def begin(self, level: Level[Fraction]) -> list[int]:
+        """The worlds of a level: one for each order of the bodies, where some of them are in the same place.
+
+        Raises:
+            TooManyWays: if there are too many.
+        """
         with_ties(Ties(Fraction(0), Choices()))
-        self.worlds.append(World(with_numbers(level, Near, Fraction)))
-        return len(self.worlds) - 1
+        first = World(with_numbers(level, Near, Fraction))
+        self.worlds.extend(islice(self.orders(first), MOST_OUTCOMES + 1))
+        if len(self.worlds) > MOST_OUTCOMES:
+            raise TooManyWays(f"more than {MOST_OUTCOMES} orders")
+        return list(range(len(self.worlds)))
+
+    def orders(self, world: World[Any]) -> Iterator[World[Any]]:
+        """A world with the bodies of each string in every order that their places allow."""
+        choices = [list(orders_in(world, row.order, self.tolerance)) for row in world.rows]
+        for orders in product(*choices):
+            other = world.copy()
+            for row, order in zip(other.rows, orders, strict=True):
+                row.order = list(order)
+                other.settle(row)
+            yield other
 
     def of(self, question: Question) -> list[Outcome]:
         """The outcomes of a request: first that of its neighbours, if they are asked."""
@@ -98,14 +116,20 @@ class Ways:
             TooManyWays: if there are too many.
         """
         found: list[Outcome] = []
-        for world, moved in every_way(lambda choices: self.run(question, choices), MOST_WAYS):
+        for way in every_way(lambda choices: self.run(question, choices), MOST_WAYS):
+            if way is None:
+                continue
+            world, moved = way
             if not any(self.alike(world, self.worlds[one.world], moved - one.moved) for one in found):
                 self.worlds.append(world)
                 found.append(Outcome(len(self.worlds) - 1, moved))
         return found
 
-    def run(self, question: Question, choices: Choices) -> tuple[World[Any], Fraction]:
-        """Run a request with ties broken in one way; its neighbours do what is known of them."""
+    def run(self, question: Question, choices: Choices) -> tuple[World[Any], Fraction] | None:
+        """Run a request with ties broken in one way; its neighbours do what is known of them.
+
+        None if ties are broken so that they contradict each other: then not exactly one rule applies.
+        """
         with_ties(Ties(self.tolerance, choices))
         at, world = question.world, self.worlds[question.world].copy()
         rules, view = self.profile.rules.through(Asking), world.facing(question.direction)
@@ -116,6 +140,8 @@ class Ways:
                 ask: Ask[Any, int] = running.send(answer)
             except StopIteration as end:
                 return world, end.value.value
+            except GuardError:
+                return None
             outcomes = self.answers(Question(at, question.direction, ask.body, value_of(ask.distance), ask.spare))
             outcome = outcomes[choices.choose(len(outcomes))]
             at, answer = outcome.world, Near(outcome.moved)
@@ -134,10 +160,16 @@ class Ways:
             for one, two in zip(world.bodies, other.bodies, strict=True)
         )
 
-    def one_after_another(self, start: int, asked: Sequence[tuple[int, Direction, Fraction]]) -> list[World[Any]]:
-        """The worlds that requests may lead to, one made after another."""
-        spare = self.profile.push_limit(len(self.worlds[start].bodies)) - 1
-        reached = [start]
+    def one_after_another(
+        self, level: Level[Fraction], asked: Sequence[tuple[int, Direction, Fraction]]
+    ) -> list[World[Any]]:
+        """The worlds that requests may lead to, one made after another.
+
+        Raises:
+            TooManyWays: if there are too many.
+        """
+        spare = self.profile.push_limit(len(level.bodies)) - 1
+        reached = self.begin(level)
         for body, direction, distance in asked:
             before, reached = reached, []
             for world in before:
@@ -160,6 +192,19 @@ class Ways:
 def with_ties(ties: Ties) -> None:
     """Let ties be broken so from now on."""
     TIES.set(ties)
+
+
+def orders_in(world: World[Any], order: list[int], tolerance: Fraction) -> Iterator[tuple[int, ...]]:
+    """The orders of bodies on a string in which those with their left borders in the same place may change places."""
+    along = {body: world.coordinate(world.bodies[body].left).value for body in order}
+    groups: list[list[int]] = []
+    for body in order:
+        if groups and abs(along[groups[-1][-1]] - along[body]) <= tolerance:
+            groups[-1].append(body)
+        else:
+            groups.append([body])
+    for parts in product(*(permutations(group) for group in groups)):
+        yield tuple(body for part in parts for body in part)
 
 
 def near(one: EdgePosition[Near], two: EdgePosition[Near], tolerance: Fraction) -> bool:

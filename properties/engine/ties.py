@@ -62,7 +62,10 @@ def every_way(run: Callable[[Choices], T], most: int) -> Iterator[T]:
 
 @dataclass
 class Ties:
-    """How the ties of a run are broken. What was asked twice since `anew` is answered alike."""
+    """How the ties of a run are broken. What was asked twice since `anew` is answered alike.
+
+    Without a tolerance there are no ties.
+    """
 
     tolerance: Fraction
     choices: Choices
@@ -76,8 +79,10 @@ class Ties:
         """Whether the sign of `a - b` is one of `signs`; the exact answer is the first choice."""
         difference = a - b
         exact = ((difference > 0) - (difference < 0)) in signs
-        if abs(difference) > self.tolerance:
+        if not self.tolerance or abs(difference) > self.tolerance:
             return exact
+        if a < b:
+            a, b, signs = b, a, frozenset(-sign for sign in signs)
         possible = self.signs.get((a, b), EITHER)
         if not possible & signs or not possible - signs:
             return bool(possible & signs)
