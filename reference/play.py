@@ -12,7 +12,7 @@ from typing import Any, Generic
 import msgspec
 
 from reference.formats.files import FormatError, decode, one_line, pieces, read
-from reference.formats.level import LevelRecord, numbers_of, valid_level
+from reference.formats.level import LevelRecord, distances_per_tick, numbers_of, valid_level
 from reference.formats.numbers import check_denominators, exact
 from reference.formats.scenario import RequestRecord, ScenarioRecord, StepRecord, TickRecord, read_scenario
 from reference.simulator import Fulfilled, Game
@@ -102,7 +102,7 @@ def set_up(scenario: ScenarioRecord, level: LevelRecord, floats: bool) -> Game[A
     profile = profile_of(scenario.profile)
     held = valid_level(level, "$.level")
     distances = list(distances_of(scenario, held))
-    check_denominators([*numbers_of(held), *distances])
+    check_denominators([*numbers_of(held), *distances_per_tick(held), *distances])
     if floats and any(abs(distance) > LARGEST_FLOAT for _, distance in distances):
         raise LevelError("$.steps", "expected distances that fit into a float")
     try:

@@ -148,7 +148,7 @@ def account_of_trouble(trouble: Trouble) -> Iterator[str]:
     """The first step that diverges as lines of text."""
     asked = trouble.step.line.request
     what = f"{asked.body} asked {asked.distance}" if asked is not None else "a tick"
-    yield f"  line {trouble.step.number}, {what}: {trouble.finding.value}"
+    yield f"  line {trouble.step.number}, step {trouble.step.number - 1}, {what}: {trouble.finding.value}"
     diagnosis = trouble.diagnosis
     first = trouble.differences[0] if diagnosis is None else diagnosis.difference
     yield f"  {first}"

@@ -15,6 +15,7 @@ from reference.formats.level import BodyRecord, LevelRecord, Position, level_of,
 from reference.formats.numbers import exact
 from reference.formats.scenario import ScenarioRecord, StepRecord
 from reference.formats.trace import LineRecord
+from reference.recording import events_of
 from reference.simulator import Endless
 from reference.world import LevelError, standing, world_of
 from spec.body import EdgePosition
@@ -26,7 +27,7 @@ DENOMINATORS = (1, 2, 4, 10, 20, 100, 1000, 10**6)
 
 @dataclass
 class Reduction:
-    """The search for a smaller step in which a body still ends where it was expected, by the same rules.
+    """The search for a smaller step in which a body still ends where it was expected, and the same happens to it.
 
     Attributes:
         slack: how far from there its borders may then be.
@@ -56,7 +57,7 @@ class Reduction:
         return ScenarioRecord("graphbody/scenario@1", name, level, [asked], self.profile.name, note=note)
 
     def same(self, level: LevelRecord, line: LineRecord) -> bool:
-        """Whether the body ends where it was expected, by the same rules."""
+        """Whether the body ends where it was expected, and the same happens to it."""
         self.trials -= 1
         if self.trials < 0:
             return False
@@ -65,7 +66,7 @@ class Reduction:
             expected = expect(self.profile, held, requests_of(held.level, self.profile, line))
         except (LevelError, Endless):
             return False
-        if fired_for(expected, self.body) != fired_for(self.expected, self.body):
+        if self.happened(expected) != self.happened(self.expected):
             return False
         pairs = zip(borders(expected, self.body), borders(self.expected, self.body), strict=True)
         return all(self.near(one, two) for one, two in pairs)
@@ -75,10 +76,11 @@ class Reduction:
         statics = self.step.before.statics
         return min(one.edge, statics) == min(two.edge, statics) and abs(one.location - two.location) <= self.slack
 
-
-def fired_for(expected: Expected, name: str) -> list[str]:
-    """The rules that fired for a body."""
-    return [rule for i in range(len(expected.records)) for body, rule in fired_in(expected, i) if body == name]
+    def happened(self, expected: Expected) -> list[str]:
+        """What happened to the body, in words."""
+        events = events_of(self.profile)
+        fired = [pair for i in range(len(expected.records)) for pair in fired_in(expected, i)]
+        return [events[rule] for body, rule in fired if body == self.body and rule in events]
 
 
 def borders(expected: Expected, name: str) -> tuple[EdgePosition[Fraction], EdgePosition[Fraction]]:

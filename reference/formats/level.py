@@ -92,7 +92,7 @@ def level_of(record: LevelRecord) -> Level[Fraction]:
     buttons = tuple(position_of(at, tops, f"$.buttons[{i}]") for i, at in enumerate(record.buttons))
     margin, tick = exact(record.margin, "$.margin"), exact(record.tick, "$.tick")
     level = Level(graph, margin, tick, bodies, buttons)
-    check_denominators(numbers_of(level))
+    check_denominators([*numbers_of(level), *distances_per_tick(level)])
     return level
 
 
@@ -117,9 +117,14 @@ def numbers_of(level: Level[Fraction]) -> Iterator[tuple[str, Fraction]]:
     for i, edge in enumerate(level.graph.edges):
         yield f"$.edges[{i}].thickness", edge.thickness or edge.length
     for i, body in enumerate(level.bodies):
-        numbers = (body.left.location, body.right.location, body.height, body.speed * level.tick)
-        yield from ((f"$.bodies[{i}]", number) for number in numbers)
+        yield from ((f"$.bodies[{i}]", number) for number in (body.left.location, body.right.location, body.height))
     yield "$.margin", level.margin
+
+
+def distances_per_tick(level: Level[Fraction]) -> Iterator[tuple[str, Fraction]]:
+    """How far the bodies of a level want to move in a tick, each with its place."""
+    for i, body in enumerate(level.bodies):
+        yield f"$.bodies[{i}].speed", body.speed * level.tick
 
 
 def tops_of(record: LevelRecord, statics: int) -> dict[str, int]:
