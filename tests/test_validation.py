@@ -280,7 +280,6 @@ FAULTS = {
 def test_a_faulty_implementation_is_found_out(fault, tmp_path):
     field, family, culprits = FAULTS[fault]
     faulty = replace(THESIS, rules=replace(THESIS.rules, **{field: family}))
-    found = Counter()
     for path in library():
         if play(path).scenario.profile != "thesis":
             continue
@@ -291,9 +290,9 @@ def test_a_faulty_implementation_is_found_out(fault, tmp_path):
         report = validate(written(tmp_path / "trace.jsonl", [header, *map(bare, lines)]))
         if report.first is not None and report.first.diagnosis is not None:
             diagnosis = report.first.diagnosis
-            found[diagnosis.decision.rule.id if diagnosis.decision else None] += 1
-    print(fault, dict(found))
-    assert found.keys() & culprits
+            if diagnosis.decision is not None and diagnosis.decision.rule.id in culprits:
+                return
+    pytest.fail(f"an implementation that {fault} is not found out")
 
 
 # What a line says beside where the bodies are.
@@ -410,10 +409,10 @@ def test_memory_does_not_grow_with_the_log(tmp_path):
     still = bare(line)
     rest = msgspec.structs.replace(still, request=msgspec.structs.replace(still.request, distance="0"))
     peaks = []
-    for times in (200, 1000):
+    for times in (1000, 3000):
         path = written(tmp_path / "trace.jsonl", [header, still, *[rest] * times])
         tracemalloc.start()
         assert validate(path).conforms
         peaks.append(tracemalloc.get_traced_memory()[1])
         tracemalloc.stop()
-    assert peaks[1] < 1.1 * peaks[0]
+    assert peaks[1] < 1.5 * peaks[0]
