@@ -405,7 +405,7 @@ def test_a_failure_of_the_validator_is_told_apart(tmp_path, monkeypatch):
 
 
 def test_memory_does_not_grow_with_the_log(tmp_path):
-    header, line, *_ = trace_of(SCENARIOS / "push-into-wall.json")
+    header, line, *_ = trace_of(SCENARIOS / "free-path.json")
     still = bare(line)
     rest = msgspec.structs.replace(still, request=msgspec.structs.replace(still.request, distance="0"))
     peaks = []
