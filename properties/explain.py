@@ -4,15 +4,19 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from dataclasses import dataclass
 from difflib import get_close_matches
+from functools import cache
 from inspect import getdoc
 from os.path import relpath
+from pathlib import Path
 from typing import Any
 
 from properties.claims.catalogue import CLAIMS
 from properties.claims.claim import Claim
 from properties.evidence.files import WITNESSES, file_name
 from reference.play import LIBRARY, library, play
+from reference.simulator import Fulfilled
 from spec.models import Model
 from spec.readings import Reading
 from spec.registry import Statement, statements
@@ -62,21 +66,51 @@ def of_row(row: str) -> list[Statement]:
     return found
 
 
+@dataclass(frozen=True)
+class Fact:
+    """Something about a statement: what kind of thing, and the thing itself; `code` if that is a command."""
+
+    label: str
+    text: str
+    code: bool = False
+
+
+@dataclass(frozen=True)
+class Firing:
+    """A request in a scenario in which a rule fires: the file, the number of the step, and what came of the request."""
+
+    path: Path
+    step: int
+    body: str
+    move: Fulfilled[Any]
+
+
 def explain(statement: Statement) -> Iterator[str]:
-    """All about a statement."""
+    """All about a statement, as lines of text."""
     yield f"{statement.id}  ({statement.kind})"
     yield f"  {statement.sentence}"
-    yield f"  source: {statement.source}"
+    for fact in facts(statement):
+        yield f"  {fact.label}: {fact.text}"
+
+
+def facts(statement: Statement) -> Iterator[Fact]:
+    """All about a statement but what it says."""
+    yield Fact("source", statement.source)
     if isinstance(statement, Rule):
-        yield from explain_rule(statement)
+        yield from of_rule(statement)
     elif isinstance(statement, Claim):
-        yield from explain_claim(statement)
+        yield from of_claim(statement)
     elif isinstance(statement, Model):
-        yield f"  seen in scenario {statement.scenario}"
-        yield f"  replay: graphbody simulate {relpath(LIBRARY / 'scenarios' / statement.scenario)}.json"
+        yield Fact("seen in scenario", statement.scenario)
+        yield replay(LIBRARY / "scenarios" / f"{statement.scenario}.json")
     elif isinstance(statement, Reading):
-        yield f"  others could read: {statement.others}"
+        yield Fact("others could read", statement.others)
     yield from claims_about(statement)
+
+
+def replay(path: Path) -> Fact:
+    """The command that plays a scenario."""
+    return Fact("replay", f"graphbody simulate {relpath(path)}", code=True)
 
 
 def said(thing: Any) -> str:
@@ -84,60 +118,68 @@ def said(thing: Any) -> str:
     return (getdoc(thing) or "").partition("\n")[0]
 
 
-def explain_rule(rule: Rule[Any, Any]) -> Iterator[str]:
-    """Guard, effect and a scenario in which the rule fires."""
+def of_rule(rule: Rule[Any, Any]) -> Iterator[Fact]:
+    """Guard, effect, event and a scenario in which the rule fires."""
     for conjunct in rule.guard:
-        yield f"  guard  {conjunct.__name__}: {said(conjunct)}"
-    yield f"  effect {rule.effect.__name__}: {said(rule.effect)}"
-    yield from firing(rule.id)
+        yield Fact("guard", f"{conjunct.__name__}: {said(conjunct)}")
+    yield Fact("effect", f"{rule.effect.__name__}: {said(rule.effect)}")
+    if rule.event is not None:
+        yield Fact("event", rule.event)
+    found = firings()[rule.id]
+    asked = f"{found.move.body} asked {found.move.asked}, moved {found.move.moved}"
+    yield Fact("fires in", f"{found.path.stem}, step {found.step} ({asked}), for {found.body}")
+    yield replay(found.path)
 
 
-def firing(rule: str) -> Iterator[str]:
-    """The shortest scenario of the library in which a rule fires, and the request in which it does."""
-    found = []
+@cache
+def firings() -> dict[str, Firing]:
+    """For each rule the shortest request of the library in which it fires."""
+    found: dict[str, Firing] = {}
     for path in library():
-        playing = play(path)
-        for number, step in enumerate(playing.steps, start=1):
+        for number, step in enumerate(play(path).steps, start=1):
             for move in step.moves:
-                bodies = [body for body, fired in move.fired if fired == rule]
-                if bodies:
-                    found.append((len(move.fired), path, playing.scenario.name, number, move, bodies[0]))
-    if found:
-        _, path, name, number, move, body = min(found, key=lambda entry: entry[0])
-        asked = f"{move.body} asked {move.asked}, moved {move.moved}"
-        yield f"  fires in scenario {name}, step {number} ({asked}), for {body}"
-        yield f"  replay: graphbody simulate {relpath(path)}"
+                for body, rule in move.fired:
+                    if rule not in found or len(move.fired) < len(found[rule].move.fired):
+                        found[rule] = Firing(path, number, body, move)
+    return found
 
 
-def explain_claim(claim: Claim) -> Iterator[str]:
+def of_claim(claim: Claim) -> Iterator[Fact]:
     """Profile, premises, expected verdict and what is to show it."""
     table = statements()
-    yield f"  profile: {claim.profile.name}; expected: {claim.expected.value}; about: {claim.about}"
+    yield Fact("profile", claim.profile.name)
+    yield Fact("about", claim.about)
+    yield Fact("expected", claim.expected.value)
     for premise in claim.premises:
-        yield f"  assuming {premise}: {table[premise].sentence}"
+        yield Fact("assuming", f"{premise}: {table[premise].sentence}")
     for obligation in claim.obligations:
         scope = "any number of bodies" if obligation.bodies is None else f"{obligation.bodies} bodies"
-        yield f"  to prove ({scope}) {obligation.id}"
+        yield Fact("to prove", f"{obligation.id} ({scope})")
     if claim.hunt is not None:
         scope = "that keep the guidelines" if claim.hunt.guided else "of any kind"
-        yield f"  to hunt for a witness in all scenes {scope}, up to {claim.hunt.most_bodies} bodies"
+        yield Fact("to hunt for", f"a witness in all scenes {scope}, up to {claim.hunt.most_bodies} bodies")
     if claim.sampled:
-        yield "  tested on random rows, in exact numbers and in floats"
+        yield Fact("tested", "on random rows, in exact numbers and in floats")
     for item in claim.counts:
-        yield f"  to count {item.id}: {said(item.program)}"
+        yield Fact("to count", f"{item.id}: {said(item.program)}")
     if claim.erratum is not None:
-        yield f"  to refute: {said(claim.erratum)}"
-    yield f"  run: graphbody check {claim.id}"
-    witness = WITNESSES / f"{file_name(claim.id)}.json"
+        yield Fact("to refute", said(claim.erratum))
+    yield Fact("run", f"graphbody check {claim.id}", code=True)
+    witness = witness_of(claim)
     if witness.exists():
-        yield f"  replay its witness: graphbody simulate {witness}"
+        yield replay(witness)
 
 
-def claims_about(statement: Statement) -> Iterator[str]:
+def witness_of(claim: Claim) -> Path:
+    """Where the witness of a claim is written."""
+    return WITNESSES / f"{file_name(claim.id)}.json"
+
+
+def claims_about(statement: Statement) -> Iterator[Fact]:
     """The claims that are about a statement, or assume it."""
     family = statement.id.partition("/")[0]
     for claim in CLAIMS:
         if statement.id in claim.premises:
-            yield f"  assumed by {claim.id}"
+            yield Fact("assumed by", claim.id)
         elif claim is not statement and claim.about in (statement.id, family):
-            yield f"  {claim.expected.value} by {claim.id}: {claim.sentence}"
+            yield Fact(f"{claim.expected.value} by", f"{claim.id}: {claim.sentence}")

@@ -1,0 +1,161 @@
+"""The reference in docs/: a page for each kind of statement, with an entry for each ID, made from the registry.
+
+Rules are shown where they fire, refuted claims by their witnesses. Verdicts are those of the last run of the check.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterator
+from dataclasses import dataclass
+from inspect import getdoc
+from pathlib import Path
+from shutil import copyfile
+
+from properties.claims.claim import Claim
+from properties.evidence.files import RESULTS, WITNESSES
+from properties.explain import Fact, everything, facts, firings, witness_of
+from properties.results import ClaimResult, Results
+from reference.draw import strip
+from reference.formats.files import FormatError, read
+from reference.recording import recording
+from spec.profiles import PROFILES
+from spec.registry import Statement
+from spec.rule import Family, Rule
+from spec.rules.request import FAMILIES
+
+
+@dataclass(frozen=True)
+class Page:
+    """A page of the reference: its file, its title, what it is about, and the kinds of statement on it."""
+
+    file: str
+    title: str
+    about: str
+    kinds: tuple[str, ...]
+
+
+PAGES = (
+    Page("rules.md", "Rules", "What a body does, decision by decision.", ("rule",)),
+    Page("invariants.md", "Invariants", "What every request is to keep, whatever the rules.", ("invariant",)),
+    Page("claims.md", "Claims", "What is claimed of the rules, and what a run of the check showed.", ("claim",)),
+    Page("readings.md", "Readings", "Where the thesis leaves a question open: the answer taken here.", ("reading",)),
+    Page(
+        "levels.md",
+        "Conditions, guidelines, unsupported cases",
+        "What claims assume of a level and of a start, what the thesis advises, and what it says it cannot do.",
+        ("condition", "guideline", "unsupported"),
+    ),
+    Page("models.md", "Models", "What the level, the graph and time are.", ("model",)),
+)
+
+
+class NoEvidence(Exception):
+    """The check has not been run, or not the whole of it; the message says what to run."""
+
+
+def slug(name: str) -> str:
+    """An ID as an anchor, and as the name of a file."""
+    return name.replace("/", "-")
+
+
+def page_of(statement: Statement) -> Page:
+    """The page that a statement is on."""
+    return next(page for page in PAGES if statement.kind in page.kinds)
+
+
+def link(statement: Statement) -> str:
+    """A link to a statement's entry, from any page."""
+    return f"[{statement.id}]({page_of(statement).file}#{slug(statement.id)})"
+
+
+def results() -> dict[str, ClaimResult]:
+    """What the last runs of the check showed, by claim.
+
+    Raises:
+        NoEvidence: if a run is missing.
+    """
+    try:
+        runs = [read(path, Results) for path in RESULTS]
+    except FormatError as error:
+        raise NoEvidence(f"{error}; run `make check` and `make check-long` first") from None
+    found = {result.id: result for run in runs for result in run.claims}
+    missing = [name for name, one in everything().items() if isinstance(one, Claim) and name not in found]
+    if missing:
+        raise NoEvidence(f"{missing[0]} is in no results; run `make check` and `make check-long` first")
+    return found
+
+
+def write_handbook(to: Path) -> int:
+    """Write all pages with their pictures and witnesses; return the number of entries.
+
+    Raises:
+        NoEvidence: if a run of the check is missing.
+    """
+    shown = results()
+    pictures, witnesses = to / "pictures", to / "witnesses"
+    for directory in (pictures, witnesses):
+        directory.mkdir(parents=True, exist_ok=True)
+    table = everything()
+    for page in PAGES:
+        entries = [one for one in table.values() if one.kind in page.kinds]
+        lines = [f"# {page.title}", "", page.about, "", MADE, ""]
+        for one in entries:
+            lines += entry(one, shown, to)
+        (to / page.file).write_text("\n".join(lines) + "\n")
+    (to / "README.md").write_text("\n".join(index(table)) + "\n")
+    return len(table)
+
+
+MADE = "Made from the registry by `make docs`; the code is normative."
+
+
+def index(table: dict[str, Statement]) -> Iterator[str]:
+    """The contents: for each page what is on it, and every ID with its sentence."""
+    yield from ("# Reference", "", "Every statement of the specification, by its ID.", MADE)
+    for page in PAGES:
+        yield from ("", f"## [{page.title}]({page.file})", "", page.about, "", "| ID | says |", "|---|---|")
+        for one in table.values():
+            if one.kind in page.kinds:
+                yield f"| {link(one)} | {one.sentence} |"
+
+
+def entry(one: Statement, shown: dict[str, ClaimResult], to: Path) -> Iterator[str]:
+    """The entry of a statement: heading, sentence, verdict, facts, picture."""
+    yield from (f'<a id="{slug(one.id)}"></a>', f"## {one.id}", "", one.sentence, "")
+    if isinstance(one, Claim):
+        yield from (f"- **verdict**: {verdict(shown[one.id])}",)
+    for fact in facts(one):
+        yield f"- {fact.label}: " + (f"`{fact.text}`" if fact.code else linked(fact))
+    yield from ("", *picture(one, shown, to))
+
+
+def verdict(result: ClaimResult) -> str:
+    """A verdict in words."""
+    bounded = f", up to {result.bodies} bodies" if result.bodies is not None else ""
+    return f"{result.verdict}{bounded} (by {result.engine})"
+
+
+def linked(fact: Fact) -> str:
+    """The text of a fact, with a link if it begins with an ID."""
+    name, colon, rest = fact.text.partition(":")
+    known = everything().get(name)
+    return fact.text if known is None else f"{link(known)}{colon}{rest}"
+
+
+def picture(one: Statement, shown: dict[str, ClaimResult], to: Path) -> Iterator[str]:
+    """The picture of a rule where it fires, or of a claim by its witness."""
+    if isinstance(one, Rule):
+        found = firings()[one.id]
+        path, first, last = found.path, found.step - 1, found.step
+        text = f"{one.id} in {path.stem}"
+    elif isinstance(one, Claim) and shown[one.id].witness is not None:
+        path = to / "witnesses" / witness_of(one).name
+        copyfile(witness_of(one), path)
+        first, last = 0, LAST
+        text = f"the witness against {one.id}"
+    else:
+        return
+    drawing = to / "pictures" / f"{slug(one.id)}.svg"
+    drawing.write_text(strip(recording(path), first, last))
+    yield from (f"![{text}](pictures/{drawing.name})", "")
