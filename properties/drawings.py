@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from itertools import islice
 from pathlib import Path
 
-from reference.draw import chosen, pages
+from reference.draw import BadLine, chosen, pages
 from reference.formats.files import FormatError, one_line
 from reference.recording import recording
 
@@ -51,6 +51,8 @@ def panels(file: Path, first: int, last: int | None) -> int:
         count = sum(1 for _ in islice(chosen(recording(file), first, last), MOST_PAGES * TO_A_PAGE + 1))
     except FormatError as error:
         raise Undrawable(str(error)) from None
+    except BadLine as error:
+        raise Undrawable(one_line(f"{file}:{error}")) from None
     if count > MOST_PAGES * TO_A_PAGE:
         raise Undrawable(one_line(f"{file}: more than {MOST_PAGES} pages; choose some of its steps with --steps A-B"))
     if not count:

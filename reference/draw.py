@@ -9,7 +9,7 @@ from itertools import chain, islice
 from xml.etree.ElementTree import Element, tostring
 
 from reference import ink, scene
-from reference.formats.files import FormatError, one_line
+from reference.formats.files import one_line
 from reference.formats.numbers import exact
 from reference.formats.trace import LineRecord, MoveRecord
 from reference.ink import wrapped, write
@@ -28,11 +28,16 @@ MOST_UNITS = 60
 MOST_COLUMNS = 3
 
 
+class BadLine(ValueError):
+    """A line of a trace that cannot be drawn; the message begins with its number in the file."""
+
+
 def frames(recording: Recording) -> Iterator[Frame]:
     """The start of a recording and each of its steps, one after another.
 
     Raises:
-        FormatError: if a line of a trace has what cannot be drawn; it names the line of the file.
+        BadLine: if a line of a trace has what cannot be drawn.
+        FormatError: if a line cannot be read.
     """
     level = recording.level
     world = World(level)
@@ -43,7 +48,7 @@ def frames(recording: Recording) -> Iterator[Frame]:
             level = scene.level_after(level, line)
             check_numbers(line)
         except LevelError as error:
-            raise FormatError(one_line(f"{step + 1}: {error}")) from None
+            raise BadLine(one_line(f"{step + 1}: {error}")) from None
         world = World(level)
         yield Frame(step, world, pressed(world, line), before, line)
 
@@ -78,7 +83,8 @@ def pages(recording: Recording, to_a_page: int, first: int = 0, last: int | None
     """A recording as SVG, page by page; no more of it than a page is held.
 
     Raises:
-        FormatError: if a line cannot be read, or has what cannot be drawn.
+        BadLine: if a line of a trace has what cannot be drawn.
+        FormatError: if a line cannot be read.
     """
     seen = chosen(recording, first, last)
     while some := list(islice(seen, to_a_page)):
@@ -89,7 +95,8 @@ def strip(recording: Recording, first: int, last: int) -> str:
     """Some steps as one SVG without a heading, for use in another document; 0 is the start.
 
     Raises:
-        FormatError: if a line cannot be read, or has what cannot be drawn.
+        BadLine: if a line of a trace has what cannot be drawn.
+        FormatError: if a line cannot be read.
     """
     return sheet(recording, list(chosen(recording, first, last)), headed=False)
 

@@ -116,7 +116,7 @@ def char_width(char: str) -> float:
 
 def shortened(text: str, most: int) -> str:
     """A text of at most so many characters."""
-    text = one_line(text)
+    text = one_line(text) if text.strip() else repr(text)
     return text if len(text) <= most else text[: most - 1] + "…"
 
 

@@ -125,22 +125,28 @@ def overlap(a: Rect, b: Rect) -> bool:
 def draw(parent: Element, frame: Frame, lens: Lens, x: float, y: float) -> set[str]:
     """Draw a moment at a place of a sheet; return the kinds of things that there are in it."""
     canvas = Canvas(view(parent, frame.world, lens, x, y), lens, frame)
-    shapes = [
-        shape.shifted(by) for shape in scene.outlines(frame.world) for by in canvas.images(shape.left, shape.right)
-    ]
+    shapes = bodies_seen(canvas)
     for shape in shapes:
         draw_margins(canvas, shape)
     draw_ground(canvas)
     draw_ghosts(canvas)
     for shape in shapes:
         draw_body(canvas, shape)
-    canvas.taken.extend(bounds(lens, shape) for shape in shapes)
+    draw_overlaps(canvas, shapes)
     draw_between(canvas, shapes)
-    for shape in shapes:
-        draw_name(canvas, shape)
-    draw_edge_numbers(canvas)
+    draw_texts(canvas, shapes)
     draw_seam(parent, canvas, x, y)
     return canvas.shown
+
+
+def draw_texts(canvas: Canvas, shapes: list[Outline]) -> None:
+    """Names first, then what room there is for numbers."""
+    canvas.taken.extend(bounds(canvas.lens, shape) for shape in shapes)
+    for shape in shapes:
+        draw_name(canvas, shape)
+    for spots, gap in gaps_seen(canvas):
+        number_gap(canvas, spots, gap)
+    draw_edge_numbers(canvas)
 
 
 def view(parent: Element, world: World[Any], lens: Lens, x: float, y: float) -> Element:
@@ -161,7 +167,8 @@ def draw_between(canvas: Canvas, shapes: list[Outline]) -> None:
     """What is between bodies: gaps, supports, jump edges; and buttons."""
     if canvas.lens.size(scene.unit_of(canvas.world)) >= 8:
         draw_jumps(canvas)
-    draw_gaps(canvas)
+    for spots, gap in gaps_seen(canvas):
+        draw_gap(canvas, spots, gap)
     for shape in shapes:
         draw_support(canvas, shape)
     draw_buttons(canvas)
@@ -408,32 +415,41 @@ def draw_overlaps(canvas: Canvas, shapes: list[Outline]) -> None:
                 canvas.shown.add("overlap")
 
 
-def draw_gaps(canvas: Canvas) -> None:
-    """Between neighbours: a bar if they are in contact, else a dimension line with its length."""
+def gaps_seen(canvas: Canvas) -> Iterator[tuple[list[Spot], Fraction]]:
+    """The gaps between neighbours that are large enough to be seen, each with the line along it."""
     world = canvas.world
     for left, right in world.neighbours():
         near, far = world.bodies[left], world.bodies[right]
-        if (gap := Fraction(world.clear(left, right))) > 0:
+        gap = Fraction(world.clear(left, right))
+        if canvas.lens.size(gap) >= 5:
             points = scene.way(world, near.right, far.left)
             lift = max(Fraction(min(near.height, far.height)) / 4, 6 / canvas.lens.scale)
             for by in canvas.images(points[0][0], points[-1][0]):
-                draw_gap(canvas, [(x + by, y + lift) for x, y in points], gap)
+                shown = scene.within([(x + by, y + lift) for x, y in points], *canvas.lens.reach)
+                if len(shown) > 1:
+                    yield [canvas.lens.spot(point) for point in shown], gap
 
 
-def draw_gap(canvas: Canvas, points: list[Point], gap: Fraction) -> None:
-    """One gap, along the ground."""
-    spots, margin = [canvas.lens.spot(point) for point in points], Fraction(canvas.world.margin)
-    if canvas.lens.size(gap) < 5:
-        return
-    if abs(gap - margin) * 10**9 <= margin:
-        canvas.shown.add("contact")
-        line(canvas.group, "contact", *spots)
-        return
-    canvas.shown.add("gap")
-    line(canvas.group, "gap", *spots)
-    if canvas.lens.size(gap) >= 16:
+def in_contact(canvas: Canvas, gap: Fraction) -> bool:
+    """Whether a gap is the margin, but for what floats round."""
+    margin = Fraction(canvas.world.margin)
+    return abs(gap - margin) * 10**9 <= margin
+
+
+def draw_gap(canvas: Canvas, spots: list[Spot], gap: Fraction) -> None:
+    """A bar between bodies in contact, else a dimension line along the ground."""
+    kind = "contact" if in_contact(canvas, gap) else "gap"
+    canvas.shown.add(kind)
+    line(canvas.group, kind, *spots)
+    if kind == "gap" and canvas.lens.size(gap) >= 16:
         head(canvas.group, spots[0], (spots[0][0] - spots[1][0], spots[0][1] - spots[1][1]), 5)
         head(canvas.group, spots[-1], (spots[-1][0] - spots[-2][0], spots[-1][1] - spots[-2][1]), 5)
+
+
+def number_gap(canvas: Canvas, spots: list[Spot], gap: Fraction) -> None:
+    """How long a gap is, on its line or above it; that of bodies in contact is known."""
+    if in_contact(canvas, gap):
+        return
     x, y = halfway(spots)
     on_it = canvas.lens.size(gap) >= text_width(number(gap), 10) + 24
     for raised in (3.5,) if on_it else (-4, y_above(canvas, x) - y):
@@ -515,7 +531,10 @@ def draw_name(canvas: Canvas, shape: Outline) -> None:
             write(canvas.group, text, x, inside, "body middle")
             canvas.taken.append(own)
             return
-        if any(canvas.label(text, x, y, "body halo", 11) for y in (above, above - 13)):
+        places = [(x, above), (x, above - 13)]
+        if canvas.world.support(shape.body) is not None:
+            places += [(right + half, inside), (left - half, inside)]
+        if any(canvas.label(text, *place, "body halo", 11) for place in places):
             return
 
 
@@ -537,7 +556,8 @@ def names(name: str, room: float) -> Iterator[str]:
     if room >= 22:
         yield from [text] if len(text) <= 24 else []
         yield shortened(text, 12)
-    yield "".join(word if word.isdigit() else word[0] for word in words)[:4]
+    if room >= 22 or not words[-1].isdigit():
+        yield "".join(word[0] + "".join(filter(str.isdigit, word[1:])) for word in words)[:4]
     if words[-1].isdigit():
         yield words[-1][:4]
 

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
+from itertools import pairwise
 from math import ceil, floor
 from typing import Any
 
@@ -15,6 +16,7 @@ from reference.formats.trace import LineRecord
 from reference.world import LevelError, World, check_borders, check_supports
 from spec.body import EdgePosition, Level
 from spec.graph import Direction, EdgeType
+from spec.plane import carriers
 
 Point = tuple[Fraction, Fraction]
 Range = tuple[Fraction, Fraction]
@@ -122,6 +124,16 @@ def level_after(level: Level[Fraction], line: LineRecord) -> Level[Fraction]:
     return after
 
 
+def within(points: Sequence[Point], left: Fraction, right: Fraction) -> list[Point]:
+    """The part of a line, which goes to the right, from `left` to `right`; empty if there is none."""
+    found: list[Point] = []
+    for start, end in pairwise(points):
+        if end[0] >= left and start[0] <= right:
+            part = Segment(0, EdgeType.GROUND, start, end, None).clipped(left, right)
+            found += [part.end] if found else [part.start, part.end]
+    return found
+
+
 def place_of(world: World[Any], at: EdgePosition[Any]) -> Point:
     """Where a position is, in exact numbers."""
     x, y = world.point(at)
@@ -214,13 +226,15 @@ def jump_edges(world: World[Any]) -> Iterator[tuple[Point, Point, Direction]]:
 
 
 def leads(world: World[Any], end: EdgePosition[Any], direction: Direction) -> Iterator[Any]:
-    """The jump edges from a ledge, or from the corner of a top for the first of its riders."""
+    """The jump edges from a ledge, or from the corner of a top, for the first of its riders, to what is beside it."""
     view = world.facing(direction)
-    if end.edge >= world.statics:
-        yield from view.jumps(world.row_of_edge[end.edge].order[0], end)
+    if end.edge < world.statics:
+        for body in world.handles():
+            yield view.jump(end.edge, view.tip(world.statics + body, direction.opposite), free=True)
         return
-    for body in world.handles():
-        yield view.jump(end.edge, view.tip(world.statics + body, direction.opposite), free=True)
+    rider = world.row_of_edge[end.edge].order[0]
+    below = {world.statics + body for body in carriers(world, rider)}
+    yield from (jump for jump in view.jumps(rider, end) if jump.target.edge not in below)
 
 
 def unit_of(world: World[Any]) -> Fraction:
@@ -238,7 +252,11 @@ def range_of(values: Iterable[Fraction]) -> Range:
 
 
 def cropped(whole: Range, bodies: Range, asked: Range, most: Fraction) -> Range:
-    """At most so much of a whole: if it is too long what the bodies take up, or from a little before who was asked."""
+    """At most so much of a whole: if it is too long what the bodies take up, or from a little before who was asked.
+
+    It is up to four times as much where those who were asked go so far.
+    """
+    most = max(most, min((asked[1] - asked[0]) * 5 / 4, 4 * most))
     if whole[1] - whole[0] <= most:
         return whole
     room = most / 20
