@@ -68,5 +68,6 @@ def save(path: Path, page: str) -> None:
         part.write_text(page, encoding="utf-8")
         part.replace(path)
     except OSError as error:
-        part.unlink(missing_ok=True)
+        if part.is_file():
+            part.unlink()
         raise Undrawable(one_line(f"{path}: {error.strerror}")) from None

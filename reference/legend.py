@@ -78,7 +78,7 @@ def contact(group: Element, x: float, y: float) -> None:
 
 
 def clash(group: Element, x: float, y: float) -> None:
-    """Where bodies overlap."""
+    """Where a body is in another or in terrain."""
     element(group, "rect", "overlap", x=x + 6, y=y - 16, width=16.0, height=16.0)
 
 
@@ -119,7 +119,7 @@ SAMPLES: dict[str, tuple[str, Callable[[Element, float, float], None]]] = {
     "margin": ("margin", margin),
     "contact": ("in contact: the margin apart", contact),
     "gap": ("gap", gap),
-    "overlap": ("bodies overlap", clash),
+    "overlap": ("in a body or in terrain", clash),
     "support": ("stands on", support),
     "ground": ("ground edge", ground),
     "wall": ("wall", wall),

@@ -16,6 +16,7 @@ from reference.ink import element, head, line, number, path, shortened, text_wid
 from reference.scene import Outline, Point, Segment, Window
 from reference.world import World
 from spec.graph import Direction, EdgeType
+from spec.plane import Box
 
 SIDE, HEAD, FOOT = 22.0, 26.0, 36.0
 FAR = Fraction(10**5)
@@ -402,17 +403,32 @@ def draw_planks(group: Element, spots: list[Spot], count: int) -> None:
 
 
 def draw_overlaps(canvas: Canvas, shapes: list[Outline]) -> None:
-    """Where two bodies that stand level are in one another, crossed lines."""
+    """Where bodies that stand level are in one another or in the terrain under level ground, crossed lines."""
     level = sorted((shape for shape in shapes if len({y for _, y in shape.bottom}) == 1), key=lambda shape: shape.left)
-    for i, one in enumerate(level):
-        for other in level[i + 1 :]:
+    boxes = [Box(shape.left, shape.right, shape.low, shape.high) for shape in level]
+    for i, one in enumerate(boxes):
+        for other in boxes[i + 1 :]:
             if other.left >= one.right:
                 break
-            if other.low < one.high and one.low < other.high:
-                left, low = canvas.lens.spot((other.left, max(one.low, other.low)))
-                right, high = canvas.lens.spot((min(one.right, other.right), min(one.high, other.high)))
-                element(canvas.group, "rect", "overlap", x=left, y=high, width=right - left, height=low - high)
-                canvas.shown.add("overlap")
+            cross_out(canvas, one, other)
+    for edge in edges_seen(canvas):
+        if edge.type is EdgeType.GROUND and edge.start[1] == edge.end[1]:
+            top = edge.start[1]
+            bottom = canvas.lens.window.bottom - FAR if edge.thickness is None else top - edge.thickness
+            for one in boxes:
+                cross_out(canvas, one, Box(edge.start[0], edge.end[0], bottom, top))
+
+
+def cross_out(canvas: Canvas, one: Box[Fraction], other: Box[Fraction]) -> None:
+    """Cross out what two boxes have in common."""
+    assert one.bottom is not None
+    assert other.bottom is not None
+    left, right = max(one.left, other.left), min(one.right, other.right)
+    bottom, top = max(one.bottom, other.bottom), min(one.top, other.top)
+    if left < right and bottom < top:
+        (x, y), (far_x, far_y) = canvas.lens.spot((left, top)), canvas.lens.spot((right, bottom))
+        element(canvas.group, "rect", "overlap", x=x, y=y, width=far_x - x, height=far_y - y)
+        canvas.shown.add("overlap")
 
 
 def gaps_seen(canvas: Canvas) -> Iterator[tuple[list[Spot], Fraction]]:
@@ -518,7 +534,9 @@ def draw_name(canvas: Canvas, shape: Outline) -> None:
     """The name of a body where there is room for it, and an arrow if it was asked to move."""
     held, (left, right) = canvas.world.bodies[shape.body], visible(canvas, shape)
     way = canvas.frame.asked().get(held.name)
-    if way and right - left >= 5:
+    if right - left < 5:
+        return
+    if way:
         draw_request(canvas, shape, 1 if way > 0 else -1)
     height, x, room = canvas.lens.size(shape.height), (left + right) / 2, right - left
     lowered = (7 if held.speed else 4) - (3 if way and height >= 34 else 0)
