@@ -7,9 +7,9 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import Any
 
-from reference import scene
-from reference.ink import number
-from reference.scene import Outline, Segment, Window
+from reference.drawing import scene
+from reference.drawing.ink import number
+from reference.drawing.scene import Outline, Segment, Window
 from reference.world import World
 from spec.graph import Direction, EdgeType
 

@@ -8,15 +8,16 @@ from fractions import Fraction
 from itertools import chain, islice
 from xml.etree.ElementTree import Element, tostring
 
-from reference import ink, scene
+from reference.drawing import ink, scene
+from reference.drawing.canvas import SIDE, Frame, Lens
+from reference.drawing.ink import wrapped, write
+from reference.drawing.legend import draw_legend
+from reference.drawing.panel import draw
+from reference.drawing.scene import Window
 from reference.formats.files import one_line
 from reference.formats.numbers import exact
 from reference.formats.trace import LineRecord, MoveRecord
-from reference.ink import wrapped, write
-from reference.legend import draw_legend
-from reference.panel import SIDE, Frame, Lens, draw
 from reference.recording import Recording
-from reference.scene import Window
 from reference.world import LevelError, World
 
 WIDTH = 900.0

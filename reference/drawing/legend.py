@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from xml.etree.ElementTree import Element
 
-from reference.ink import element, head, line, path, text_width, write
+from reference.drawing.ink import element, head, line, path, text_width, write
 
 SAMPLE = 28.0
 

@@ -31,7 +31,6 @@ STYLE = """
 .graphbody .halo.edge { stroke: var(--ground); }
 .graphbody .middle { text-anchor: middle; }
 .graphbody .paper { fill: var(--paper); }
-.graphbody .terrain { fill: url(#graphbody-terrain); }
 .graphbody .solid { fill: var(--ground); }
 .graphbody .clash { fill: var(--clash); }
 .graphbody path, .graphbody line { fill: none; stroke: var(--ink); }
