@@ -165,6 +165,7 @@ def cross_out(canvas: Canvas, one: Box[Fraction], other: Box[Fraction]) -> None:
     if left < right and bottom < top:
         (x, y), (far_x, far_y) = canvas.lens.spot((left, top)), canvas.lens.spot((right, bottom))
         element(canvas.group, "rect", "overlap", x=x, y=y, width=far_x - x, height=far_y - y)
+        canvas.taken.append((x, y, far_x, far_y))
         canvas.shown.add("overlap")
 
 
