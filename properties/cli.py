@@ -113,6 +113,7 @@ def simulate(
 
     import msgspec
 
+    from properties.sketch import sketch
     from properties.trace import text_lines
     from reference.formats.files import FormatError
     from reference.play import play
@@ -128,9 +129,10 @@ def simulate(
             print(msgspec.json.encode(line).decode())
     else:
         print(f"{record.name}: {record.note}" if record.note else record.name)
-        print(*text_lines(None, game), sep="\n")
+        print(*sketch(game.world), *text_lines(None, game), sep="\n")
         for step in playing.steps:
-            print("\n".join(text_lines(step, game)))
+            movers = [move.body for move in step.moves]
+            print("", *sketch(game.world, movers), *text_lines(step, game), sep="\n")
     if record.solved is not None and record.solved != game.world.solved():
         print(f"graphbody: {scenario}: expected solved to be {record.solved}", file=sys.stderr)
         raise typer.Exit(1)
@@ -159,6 +161,22 @@ def validate(
         status = max(status, 0 if report.conforms else 1)
     if status:
         raise typer.Exit(status)
+
+
+@app.command()
+def draw(
+    file: Annotated[Path, typer.Argument(help="A scenario, level or trace file.")],
+    out: Annotated[Path, typer.Option(help="The directory for the drawings.")] = Path("build/drawings"),
+    steps: Annotated[str, typer.Option(metavar="A-B", help="Only these steps; step 0 is the start.")] = "",
+) -> None:
+    """Draw a scenario, a level or a trace as SVG: the start and each step, six to a page."""
+    from properties.drawings import Undrawable, drawn
+
+    try:
+        for path in drawn(file, out, steps):
+            print(path)
+    except Undrawable as error:
+        refuse(str(error))
 
 
 @app.command()
