@@ -5,24 +5,20 @@ Rules are shown where they fire, refuted claims by their witnesses. Verdicts are
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Iterator
 from dataclasses import dataclass
-from inspect import getdoc
 from pathlib import Path
 from shutil import copyfile
 
 from properties.claims.claim import Claim
-from properties.evidence.files import RESULTS, WITNESSES
+from properties.evidence.files import RESULTS
 from properties.explain import Fact, everything, facts, firings, witness_of
 from properties.results import ClaimResult, Results
 from reference.draw import strip
 from reference.formats.files import FormatError, read
 from reference.recording import recording
-from spec.profiles import PROFILES
 from spec.registry import Statement
-from spec.rule import Family, Rule
-from spec.rules.request import FAMILIES
+from spec.rule import Rule
 
 
 @dataclass(frozen=True)

@@ -17,7 +17,7 @@ from reference.drawing.scene import Window
 from reference.formats.files import one_line
 from reference.formats.numbers import exact
 from reference.formats.trace import LineRecord, MoveRecord
-from reference.recording import Recording
+from reference.recording import Recording, state_after
 from reference.world import LevelError, World
 
 WIDTH = 900.0
@@ -46,11 +46,10 @@ def frames(recording: Recording) -> Iterator[Frame]:
     for step, line in enumerate(recording.lines, start=1):
         before = world
         try:
-            level = scene.level_after(level, line)
+            world = state_after(level, line)
             check_numbers(line)
         except LevelError as error:
             raise BadLine(one_line(f"{step + 1}: {error}")) from None
-        world = World(level)
         yield Frame(step, world, pressed(world, line), before, line)
 
 

@@ -3,19 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from fractions import Fraction
 from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
 from reference.formats.files import FormatError, decode, one_line, pieces
-from reference.formats.level import position_record, valid_level
-from reference.formats.numbers import number_text
+from reference.formats.level import numbers_of, position_of, position_record, valid_level
+from reference.formats.numbers import check_denominators, number_text
 from reference.formats.scenario import RequestRecord, StepRecord, check_step
 from reference.formats.trace import EventRecord, HeaderRecord, LineRecord, MoveRecord, PlaceRecord
 from reference.play import Played, Playing, format_of, play, profile_of
 from reference.simulator import Fulfilled
-from reference.world import LevelError
+from reference.world import LevelError, World, standing
 from spec.body import Body, Level
 from spec.profiles import Profile
 from spec.registry import rules_of
@@ -126,3 +127,26 @@ def supports_of(bodies: tuple[Body[Any], ...], level: Level[Any]) -> dict[str, s
     """For each body that stands on another, which."""
     statics = len(level.graph.edges)
     return {body.name: bodies[body.left.edge - statics].name for body in bodies if body.left.edge >= statics}
+
+
+def state_after(level: Level[Fraction], line: LineRecord) -> World[Fraction]:
+    """The world in which a line says that its step ended; any state that bodies can be in, good or bad.
+
+    Raises:
+        LevelError: if it is none.
+    """
+    statics = len(level.graph.edges)
+    tops = {body.name: statics + i for i, body in enumerate(level.bodies)}
+    placed: dict[str, Body[Fraction]] = {}
+    for i, place in enumerate(line.bodies):
+        at = f"$.bodies[{i}]"
+        if place.name not in tops or place.name in placed:
+            raise LevelError(f"{at}.name", f"expected each body once, got {place.name!r}")
+        body = level.bodies[tops[place.name] - statics]
+        left, right = position_of(place.left, tops, f"{at}.left"), position_of(place.right, tops, f"{at}.right")
+        placed[place.name] = replace(body, left=left, right=right)
+    if missing := tops.keys() - placed.keys():
+        raise LevelError("$.bodies", f"expected every body, {min(missing)!r} is missing")
+    after = replace(level, bodies=tuple(placed[body.name] for body in level.bodies))
+    check_denominators(numbers_of(after))
+    return standing(after)

@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from fractions import Fraction
 
-from reference.formats.level import numbers_of, position_of
-from reference.formats.numbers import check_denominators, exact
+from reference.formats.level import numbers_of
+from reference.formats.numbers import exact
 from reference.formats.trace import HeaderRecord, LineRecord
 from reference.recording import Recording
-from reference.world import LevelError, NumberError, World, standing
-from spec.body import Body, Level
+from reference.world import LevelError, NumberError, World
+from spec.body import Level
 from spec.graph import Direction
 from spec.number import greater
 from spec.profiles import Profile
@@ -38,29 +38,6 @@ class Step:
     asked: tuple[Request, ...]
     line: LineRecord
     after: World[Fraction]
-
-
-def state_after(level: Level[Fraction], line: LineRecord) -> World[Fraction]:
-    """The world in which a line says that its step ended; any state that bodies can be in, good or bad.
-
-    Raises:
-        LevelError: if it is none.
-    """
-    statics = len(level.graph.edges)
-    tops = {body.name: statics + i for i, body in enumerate(level.bodies)}
-    placed: dict[str, Body[Fraction]] = {}
-    for i, place in enumerate(line.bodies):
-        at = f"$.bodies[{i}]"
-        if place.name not in tops or place.name in placed:
-            raise LevelError(f"{at}.name", f"expected each body once, got {place.name!r}")
-        body = level.bodies[tops[place.name] - statics]
-        left, right = position_of(place.left, tops, f"{at}.left"), position_of(place.right, tops, f"{at}.right")
-        placed[place.name] = replace(body, left=left, right=right)
-    if missing := tops.keys() - placed.keys():
-        raise LevelError("$.bodies", f"expected every body, {min(missing)!r} is missing")
-    after = replace(level, bodies=tuple(placed[body.name] for body in level.bodies))
-    check_denominators(numbers_of(after))
-    return standing(after)
 
 
 def requests_of(level: Level[Fraction], profile: Profile, line: LineRecord) -> tuple[Request, ...]:

@@ -17,14 +17,13 @@ from properties.conformance.log import (
     grid_of,
     numbers_of_step,
     requests_of,
-    state_after,
     tolerance_of,
 )
 from properties.conformance.minimise import Reduction
 from properties.conformance.said import of_the_events, of_the_moves, of_the_state
 from reference.formats.files import FormatError, one_line
 from reference.formats.scenario import ScenarioRecord
-from reference.recording import Recording, read_trace
+from reference.recording import Recording, read_trace, state_after
 from reference.simulator import Endless
 from reference.world import LevelError, NumberError, World
 from spec.graph import Direction

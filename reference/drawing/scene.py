@@ -10,11 +10,8 @@ from itertools import pairwise
 from math import ceil, floor
 from typing import Any
 
-from reference.formats.level import numbers_of, position_of
-from reference.formats.numbers import check_denominators
-from reference.formats.trace import LineRecord
-from reference.world import LevelError, World, check_borders, check_supports
-from spec.body import EdgePosition, Level
+from reference.world import World
+from spec.body import EdgePosition
 from spec.graph import Direction, EdgeType
 from spec.plane import carriers
 
@@ -100,28 +97,6 @@ class Window:
     def cropped(self) -> bool:
         """Whether some of the level is to the left or right of it."""
         return (self.left, self.right) != self.whole
-
-
-def level_after(level: Level[Fraction], line: LineRecord) -> Level[Fraction]:
-    """The level with its bodies where a line of a trace has them.
-
-    Raises:
-        LevelError: if it names what is not there, or a body is on no ground.
-    """
-    handles = {body.name: handle for handle, body in enumerate(level.bodies)}
-    tops = {name: len(level.graph.edges) + handle for name, handle in handles.items()}
-    bodies = list(level.bodies)
-    for i, record in enumerate(line.bodies):
-        if record.name not in handles:
-            raise LevelError(f"$.bodies[{i}].name", f"no body is named {record.name!r}")
-        handle, place = handles[record.name], f"$.bodies[{i}]"
-        left, right = position_of(record.left, tops, f"{place}.left"), position_of(record.right, tops, f"{place}.right")
-        bodies[handle] = replace(bodies[handle], left=left, right=right)
-    after = replace(level, bodies=tuple(bodies))
-    check_denominators(numbers_of(after))
-    check_borders(after)
-    check_supports(after)
-    return after
 
 
 def within(points: Sequence[Point], left: Fraction, right: Fraction) -> list[Point]:
