@@ -6,6 +6,7 @@ import sys
 from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
+from itertools import chain
 from pathlib import Path
 from typing import Any, Generic
 
@@ -13,7 +14,7 @@ import msgspec
 
 from reference.formats.files import FormatError, decode, one_line, pieces, read
 from reference.formats.level import LevelRecord, numbers_of, valid_level
-from reference.formats.numbers import check_denominators, exact
+from reference.formats.numbers import check_sums, exact
 from reference.formats.scenario import RequestRecord, ScenarioRecord, StepRecord, TickRecord, read_scenario
 from reference.simulator import Fulfilled, Game
 from reference.world import LevelError
@@ -102,7 +103,7 @@ def set_up(scenario: ScenarioRecord, level: LevelRecord, floats: bool) -> Game[A
     profile = profile_of(scenario.profile)
     held = valid_level(level, "$.level")
     distances = list(distances_of(scenario, held))
-    check_denominators([*numbers_of(held), *distances])
+    check_sums(chain(numbers_of(held), ((place, (distance,)) for place, distance in distances)))
     if floats and any(abs(distance) > LARGEST_FLOAT for _, distance in distances):
         raise LevelError("$.steps", "expected distances that fit into a float")
     try:

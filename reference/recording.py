@@ -9,10 +9,10 @@ from pathlib import Path
 from typing import Any
 
 from reference.formats.files import FormatError, decode, one_line, pieces
-from reference.formats.level import position_record, valid_level
+from reference.formats.level import Tops, position_record, tops_of, valid_level
 from reference.formats.numbers import number_text
 from reference.formats.scenario import RequestRecord, StepRecord, check_step
-from reference.formats.trace import EventRecord, HeaderRecord, LineRecord, MoveRecord, PlaceRecord
+from reference.formats.trace import EventRecord, HeaderRecord, LineRecord, MoveRecord, PlaceRecord, check_line
 from reference.play import Played, Playing, format_of, play, profile_of
 from reference.simulator import Fulfilled
 from reference.world import LevelError
@@ -56,10 +56,11 @@ def read_trace(path: Path) -> Recording:
         profile, level = profile_of(header.profile), valid_level(header.level, "$.level")
     except LevelError as error:
         raise FormatError(one_line(f"{path}:1: {error}")) from None
-    return Recording(header, level, profile, read_lines(path, content))
+    tops = tops_of(header.level, len(level.graph.edges))
+    return Recording(header, level, profile, read_lines(path, content, tops))
 
 
-def read_lines(path: Path, content: Iterator[bytes]) -> Iterator[LineRecord]:
+def read_lines(path: Path, content: Iterator[bytes], tops: Tops) -> Iterator[LineRecord]:
     """The lines after the header of a trace."""
     for number, text in enumerate(content, start=1):
         where = f"{path}:{number + 1}"
@@ -67,6 +68,10 @@ def read_lines(path: Path, content: Iterator[bytes]) -> Iterator[LineRecord]:
         check_step(StepRecord(line.request, line.tick), f"{where}: $")
         if line.step is not None and line.step != number:
             raise FormatError(f"{where}: $.step: expected {number}, got {line.step}")
+        try:
+            check_line(line, tops)
+        except LevelError as error:
+            raise FormatError(one_line(f"{where}: {error}")) from None
         yield line
 
 

@@ -20,6 +20,8 @@ from spec.interpolation import linear
 from spec.number import N, zero_like
 from spec.world import Beyond, Jump
 
+MOST_STOREYS = 100
+
 
 class LevelError(ValueError):
     """A level that the world cannot hold; `place` says where, as in `$.bodies[2].right`."""
@@ -64,15 +66,13 @@ def strings_of(graph: Graph[N]) -> list[tuple[list[int], bool]]:
     """The strings of ground edges, from left to right, and whether each is a ring.
 
     Raises:
-        LevelError: if a look-up has two results.
+        LevelError: if two ground edges leave a vertex in one direction.
     """
+    for (vertex, direction, edge_type), edges in graph.table.items():
+        if edge_type is EdgeType.GROUND and len(edges) > 1:
+            both = f"ground edges {edges[0]} and {edges[1]}"
+            raise LevelError(f"$.vertices[{vertex}]", f"{both} leave it to the {direction.name.lower()} (A41)")
     ground = [i for i, edge in enumerate(graph.edges) if edge.type is EdgeType.GROUND]
-    for index in ground:
-        edge = graph.edges[index]
-        for direction in Direction:
-            vertex = edge.towards(direction)
-            if len(graph.look_up(vertex, direction, EdgeType.GROUND)) > 1:
-                raise LevelError(f"$.vertices[{vertex}]", "two ground edges leave it in one direction (A41)")
     starts = [i for i in ground if not graph.look_up(graph.edges[i].left, Direction.LEFT, EdgeType.GROUND)]
     strings = [(string_from(graph, start), False) for start in starts]
     found = {edge for string, _ in strings for edge in string}
@@ -254,18 +254,18 @@ class World(Generic[N]):
         Overhang continues the line of the edge (A56). A top is a height straight above its body (A30); where its
         body stands across a bend, it is interpolated between the corners (R13).
         """
-        up = zero_like(at.location)
-        while at.edge >= self.statics:
-            held = self.bodies[at.edge - self.statics]
+        number, location, up = at.edge, at.location, zero_like(at.location)
+        while number >= self.statics:
+            held = self.bodies[number - self.statics]
             up = up + held.height
             if not self.straight(held):
-                part = at.location / self.width(at.edge - self.statics)  # type: ignore[operator]
+                part = location / self.width(number - self.statics)  # type: ignore[operator]
                 x, y = linear(self.point(held.left), self.point(held.right), part)
                 return x, y + up
-            at = replace(held.left, location=held.left.location + at.location)
-        edge = self.graph.edges[at.edge]
+            number, location = held.left.edge, held.left.location + location
+        edge = self.graph.edges[number]
         start = self.graph.vertices[edge.left]
-        return start.x + at.location * edge.run, start.y + at.location * edge.rise + up  # type: ignore[operator]
+        return start.x + location * edge.run, start.y + location * edge.rise + up  # type: ignore[operator]
 
     def tip_point(self, edge: int, direction: Direction) -> tuple[N, N]:
         """Where an end of an edge is: a static one exactly at its vertex, in floats too."""
@@ -307,10 +307,12 @@ class World(Generic[N]):
         """Whether a character stands on a button: between its borders, on its string (1.1)."""
         row, along = self.row_of_edge[button.edge], self.coordinate(button)
         for body in row.order:
+            if not self.bodies[body].speed:
+                continue
             after = along - self.coordinate(self.bodies[body].left)
             if row.closed and after < zero_like(after):
                 after = after + row.length
-            if self.bodies[body].speed and after >= zero_like(after) and after <= self.width(body):
+            if after >= zero_like(after) and after <= self.width(body):
                 return True
         return False
 
@@ -499,17 +501,15 @@ def check_edge(level: Level[N], index: int, side: str, at: EdgePosition[N]) -> N
 
 
 def check_supports(level: Level[N]) -> None:
-    """Refuse a body that stands, through others, on itself."""
+    """Refuse a body that stands, through others, on itself, or on too many."""
     statics = len(level.graph.edges)
-    grounded: set[int] = set()
-    for index in range(len(level.bodies)):
-        below, chain = index, {index}
-        while below not in grounded and (edge := level.bodies[below].left.edge) >= statics:
-            below = edge - statics
-            if below in chain:
-                raise LevelError(f"$.bodies[{index}].left.top", "expected a chain of supports that ends on the ground")
-            chain.add(below)
-        grounded.update(chain)
+    for index, body in enumerate(level.bodies):
+        edge, storeys = body.left.edge, 0
+        while edge >= statics:
+            edge, storeys = level.bodies[edge - statics].left.edge, storeys + 1
+            if storeys > MOST_STOREYS:
+                expected = f"expected a chain of supports that ends on the ground, at most {MOST_STOREYS} bodies below"
+                raise LevelError(f"$.bodies[{index}].left.top", expected)
 
 
 def check_overhang(world: World[N], body: int) -> None:

@@ -73,7 +73,7 @@ def test_a_scenario_of_the_library_does_the_same_in_floats(path):
         (["margin"], "0", r"\$\.margin: expected a number greater than 0"),
         (["margin"], "nan", r"\$\.margin: expected a number"),
         (["margin"], "1/0", r"\$\.margin: expected a finite number"),
-        (["margin"], "1" * 1000, r"\$\.margin: expected at most 100 characters"),
+        (["margin"], "1" * 1000, r"\$\.margin: expected at most 400 characters"),
         (["margin"], [], r"\$\.margin: Expected"),
         (["surprise"], 1, r"\$: Object contains unknown field `surprise`"),
         (["format"], "graphbody/level@9", r"\$\.format: Invalid enum value"),

@@ -13,10 +13,18 @@ from msgspec import Meta
 MOST_BYTES = 64 * 2**20
 MOST_ITEMS = 100_000
 MOST_CHARACTERS = 100
+MOST_SHOWN = 1000
 PLACE = re.compile(r"(?P<problem>.*) - at `(?P<place>\$.*)`", re.DOTALL)
 
 T = TypeVar("T")
 Item = TypeVar("Item")
+
+
+def says(text: str) -> Meta:
+    """What a field means, with its unit; it stands in the schema and in the tables of docs/formats.md."""
+    return Meta(description=text)
+
+
 Name = Annotated[str, Meta(min_length=1, max_length=MOST_CHARACTERS)]
 Many = Annotated[list[Item], Meta(max_length=MOST_ITEMS)]
 
@@ -30,8 +38,9 @@ class Record(msgspec.Struct, forbid_unknown_fields=True, omit_defaults=True, fro
 
 
 def one_line(text: str) -> str:
-    """A text with whatever would break its line escaped."""
-    return "".join(char if char.isprintable() else repr(char)[1:-1] for char in text)
+    """A text with whatever would break its line escaped, cut short if it is long."""
+    shown = text if len(text) <= MOST_SHOWN else text[:MOST_SHOWN] + "…"
+    return "".join(char if char.isprintable() else repr(char)[1:-1] for char in shown)
 
 
 def decode(content: bytes, kind: type[T], where: str) -> T:
@@ -46,7 +55,9 @@ def decode(content: bytes, kind: type[T], where: str) -> T:
         found = PLACE.fullmatch(str(error))
         place, problem = (found["place"], found["problem"]) if found else ("$", str(error))
         raise FormatError(one_line(f"{where}: {place}: {problem}")) from None
-    except (msgspec.DecodeError, RecursionError, UnicodeError) as error:
+    except RecursionError:
+        raise FormatError(one_line(f"{where}: $: expected arrays and objects that are nested less deeply")) from None
+    except (msgspec.DecodeError, UnicodeError) as error:
         raise FormatError(one_line(f"{where}: not JSON: {error}")) from None
 
 
