@@ -137,6 +137,36 @@ def simulate(
 
 
 @app.command()
+def schema(
+    kind: Annotated[str | None, typer.Argument(help="A kind of file; lists the kinds if left out.")] = None,
+) -> None:
+    """Print the JSON Schema of a kind of file."""
+    from properties import schemas
+
+    if kind is None:
+        width = max(map(len, schemas.KINDS))
+        print(*(f"{name:<{width}}  {one.sentence}" for name, one in schemas.KINDS.items()), sep="\n")
+    elif kind in schemas.KINDS:
+        print(json.dumps(schemas.schema(kind), indent=2))
+    else:
+        refuse(f"expected one of {', '.join(schemas.KINDS)}, got {kind!r}")
+
+
+@app.command()
+def itf(file: Annotated[Path, typer.Argument(help="A scenario, level or trace file.")]) -> None:
+    """Print a trace as ITF, the JSON of Apalache and Quint, with exact numbers."""
+    from reference.formats.files import FormatError
+    from reference.itf import text
+    from reference.recording import recording
+
+    try:
+        for piece in text(recording(file)):
+            print(piece, end="")
+    except FormatError as error:
+        refuse(str(error))
+
+
+@app.command()
 def explain(
     name: Annotated[str, typer.Argument(metavar="ID", help="An ID, as in push/request, or a source, as in R22.")],
 ) -> None:
