@@ -57,7 +57,7 @@ def table(record: dict[str, Any]) -> str:
     for name, field in record["properties"].items():
         without = "needed" if name in record["required"] else default(field)
         rows.append(f"| `{name}` | {value(field)} | {without} | {field['description']} |")
-    return record["description"] + "\n\n" + "\n".join(rows) + "\n"
+    return "\n".join([record["description"], "", *rows, ""])
 
 
 def default(field: dict[str, Any]) -> str:
@@ -75,13 +75,13 @@ def value(node: dict[str, Any]) -> str:
         return f"[{name}](#{name.lower()})"
     if "anyOf" in node:
         return among(node["anyOf"])
+    if "prefixItems" in node:
+        return f"pair ({', '.join(map(value, node['prefixItems']))})"
     if node["type"] == "array":
-        return "list of " + (
-            " and ".join(map(value, node["prefixItems"])) if "prefixItems" in node else value(node["items"])
-        )
+        return f"list of {value(node['items'])}"
     if node["type"] == "object":
-        return f"object of {value(node['additionalProperties'])}"
-    return SIMPLE[node["type"]]
+        return f"object with values: {value(node['additionalProperties'])}"
+    return SIMPLE[str(node["type"])]
 
 
 def among(choices: list[dict[str, Any]]) -> str:

@@ -21,6 +21,7 @@ from spec.number import N, zero_like
 from spec.world import Beyond, Jump
 
 MOST_STOREYS = 100
+LEFT_OF_RIGHT = "expected the left border to be left of the right border"
 
 
 class LevelError(ValueError):
@@ -486,9 +487,17 @@ def check_borders(level: Level[N]) -> None:
             raise LevelError(f"$.bodies[{index}].height", f"expected a number greater than 0, got {body.height}")
         for side, at in (("left", body.left), ("right", body.right)):
             check_edge(level, index, side, at)
-        both_tops = body.left.edge != body.right.edge and max(body.left.edge, body.right.edge) >= len(level.graph.edges)
-        if both_tops:
-            raise LevelError(f"$.bodies[{index}].right", "expected both borders on the same top")
+        check_top(level, index, body)
+
+
+def check_top(level: Level[N], index: int, body: Body[N]) -> None:
+    """Refuse borders on two tops, or on a top and the ground, and borders on a top that are the wrong way round."""
+    if max(body.left.edge, body.right.edge) < len(level.graph.edges):
+        return
+    if body.left.edge != body.right.edge:
+        raise LevelError(f"$.bodies[{index}].right", "expected both borders on the same top")
+    if body.left.location >= body.right.location:
+        raise LevelError(f"$.bodies[{index}]", LEFT_OF_RIGHT)
 
 
 def check_edge(level: Level[N], index: int, side: str, at: EdgePosition[N]) -> None:
@@ -514,7 +523,9 @@ def check_supports(level: Level[N]) -> None:
 
 def check_overhang(world: World[N], body: int) -> None:
     """Refuse a border beyond the end of its edge where there is no ledge, and a body wholly beyond it."""
-    zero, place = zero_like(world.margin), f"$.bodies[{body}]"
+    zero, place, held = zero_like(world.margin), f"$.bodies[{body}]", world.bodies[body]
+    if world.row_of_edge[held.left.edge] is not world.row_of_edge[held.right.edge]:
+        raise LevelError(f"{place}.right.edge", f"expected an edge that ground joins to edge {held.left.edge}")
     for direction in Direction:
         view = world.facing(direction)
         for side, at in (("front", view.front(body)), ("rear", view.rear(body))):
@@ -523,7 +534,7 @@ def check_overhang(world: World[N], body: int) -> None:
                 length = world.length_of(at.edge)
                 raise LevelError(f"{place}.{name}.location", f"expected 0 to {length}, got {at.location}")
     if world.width(body) <= zero:
-        raise LevelError(place, "expected the left border to be left of the right border")
+        raise LevelError(place, LEFT_OF_RIGHT)
 
 
 def world_of(level: Level[N]) -> World[N]:
