@@ -67,7 +67,8 @@ class LevelRecord(Record, frozen=True):
     format: Annotated[Literal["graphbody/level@1"], says("what the file is, and the version of its format")]
     name: Annotated[Name, says("the name of the level")]
     vertices: Annotated[
-        Many[tuple[Number, Number]], says("the points of the graph: x, which grows to the right, and y, which grows up")
+        Annotated[Many[tuple[Number, Number]], Meta(min_length=1)],
+        says("the points of the graph: x, which grows to the right, and y, which grows up"),
     ]
     bodies: Annotated[Many[BodyRecord], says("the bodies; in this order they take their turns in a tick")]
     margin: Annotated[

@@ -10,8 +10,10 @@ from msgspec import Meta
 from reference.formats.files import MOST_ITEMS, FormatError, Many, Name, Record, read, says
 from reference.formats.level import LevelRecord
 from reference.formats.numbers import Number
+from spec.profiles import PROFILES
 
 Times = Annotated[int, Meta(ge=1, le=MOST_ITEMS)]
+ProfileName = Annotated[str, Meta(extra_json_schema={"enum": list(PROFILES)})]
 FileName = Annotated[str, Meta(min_length=1, max_length=1000)]
 
 
@@ -43,7 +45,7 @@ class ScenarioRecord(Record, frozen=True):
     name: Annotated[Name, says("the name of the scenario")]
     level: Annotated[FileName | LevelRecord, says("the level, or the name of a level file, from this file's folder on")]
     steps: Annotated[Many[StepRecord], says("what is asked, one after another; at most 100000 requests and ticks")]
-    profile: Annotated[str, says("the profile whose rules hold: `thesis` or `thesis/overshoot`")] = "thesis"
+    profile: Annotated[ProfileName, says("the profile whose rules hold")] = "thesis"
     solved: Annotated[bool | None, says("whether the steps reach the level's goal; if left out, nothing is said")] = (
         None
     )

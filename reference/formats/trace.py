@@ -11,7 +11,7 @@ from msgspec import Meta
 from reference.formats.files import Many, Name, Record, says
 from reference.formats.level import LevelRecord, Position, Tops, position_of
 from reference.formats.numbers import Number, check_sums, exact
-from reference.formats.scenario import RequestRecord, TickRecord
+from reference.formats.scenario import ProfileName, RequestRecord, TickRecord
 from reference.world import LevelError
 
 Count = Annotated[int, Meta(ge=1)]
@@ -23,7 +23,7 @@ class HeaderRecord(Record, frozen=True):
 
     format: Annotated[Literal["graphbody/trace@1"], says("what the file is, and the version of its format")]
     name: Annotated[Name, says("the name of the trace, often that of the scenario that was played")]
-    profile: Annotated[str, says("the profile whose rules the trace follows: `thesis` or `thesis/overshoot`")]
+    profile: Annotated[ProfileName, says("the profile whose rules the trace follows")]
     numbers: Annotated[
         Literal["exact", "float64", "float32"],
         says("how the program that wrote the trace computes: exactly or in floats"),
