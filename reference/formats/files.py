@@ -88,7 +88,7 @@ def pieces(path: Path, whole: bool = False) -> Iterator[bytes]:
     except ValueError as error:
         if isinstance(error, FormatError):
             raise
-        raise FormatError(one_line(f"{str(path)!r}: {error}")) from None
+        raise FormatError(one_line(f"{path}: {error}")) from None
 
 
 def write(path: Path, record: msgspec.Struct) -> None:

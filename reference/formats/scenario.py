@@ -14,7 +14,7 @@ from spec.profiles import PROFILES
 
 Times = Annotated[int, Meta(ge=1, le=MOST_ITEMS)]
 ProfileName = Annotated[str, Meta(extra_json_schema={"enum": list(PROFILES)})]
-FileName = Annotated[str, Meta(min_length=1, max_length=1000)]
+FileName = Annotated[str, Meta(min_length=1, max_length=255)]
 
 
 class RequestRecord(Record, frozen=True):
