@@ -1,6 +1,7 @@
 """The formats: their schemas, what is published about them, traces that can be read again, and ITF."""
 
 import json
+import re
 import subprocess
 import sys
 from fractions import Fraction
@@ -16,8 +17,12 @@ from properties.cli import app
 from properties.pages import with_tables
 from properties.results import ClaimResult, Results
 from properties.schemas import KINDS, schema
+from reference.formats.files import MOST_BYTES, MOST_CHARACTERS, MOST_ITEMS
+from reference.formats.level import MOST_BUTTONS
+from reference.formats.numbers import MOST_DIGITS, MOST_LONG
 from reference.play import LIBRARY, library, play
 from reference.recording import recording
+from reference.world import MOST_STOREYS
 
 PAGE = Path(__file__).parents[1] / "docs" / "formats.md"
 VALIDATORS = {kind: Draft202012Validator(schema(kind)) for kind in KINDS}
@@ -162,3 +167,56 @@ def test_a_game_of_a_thousand_bodies_in_a_row(tmp_path):
     assert itf.exit_code == 0
     assert itf.stdout == graphbody("itf", tmp_path / "row.json").stdout
     assert len(json.loads(itf.stdout)["states"][1]["bodies"]["#map"]) == count
+
+
+def blocks(language):
+    """The examples on the page in one language."""
+    return re.findall(rf"```{language}\n(.*?)```", PAGE.read_text(), re.DOTALL)
+
+
+@pytest.fixture
+def examples(tmp_path, monkeypatch):
+    """The examples on the page as files, in the directory in which the commands run."""
+    monkeypatch.chdir(tmp_path)
+    level, scenario = blocks("json")
+    (trace,) = blocks("jsonl")
+    for name, content in (("level.json", level), ("scenario.json", scenario), ("trace.jsonl", trace)):
+        (tmp_path / name).write_text(content)
+
+
+@pytest.mark.usefixtures("examples")
+def test_the_examples_on_the_page_are_as_the_schemas_say_and_do_what_the_page_says():
+    check("level", json.loads(Path("level.json").read_text()))
+    check("scenario", json.loads(Path("scenario.json").read_text()))
+    for line in Path("trace.jsonl").read_text().splitlines():
+        check("trace", json.loads(line))
+    assert graphbody("simulate", "level.json").exit_code == 0
+    played = graphbody("simulate", "scenario.json")
+    assert played.exit_code == 0
+    assert "".join(f"    {line}".rstrip() + "\n" for line in played.stdout.splitlines()) in PAGE.read_text()
+
+
+@pytest.mark.usefixtures("examples")
+def test_the_trace_on_the_page_is_that_of_the_scenario_in_floats():
+    steps = play(Path("scenario.json"), floats=True).steps
+    for line, step in zip(recording(Path("trace.jsonl")).lines, steps, strict=True):
+        assert type(line.request or line.tick) is type(step.asked)
+        for place, body in zip(line.bodies, step.bodies, strict=True):
+            assert (place.left.edge, place.right.edge) == (body.left.edge, body.right.edge)
+            assert (place.left.location, place.right.location) == (body.left.location, body.right.location)
+
+
+@pytest.mark.usefixtures("examples")
+def test_the_refusal_on_the_page_is_what_is_printed():
+    level = json.loads(Path("level.json").read_text())
+    level["bodies"][1]["left"]["edge"] = 7
+    Path("level.json").write_text(json.dumps(level))
+    assert f"    {graphbody('simulate', 'level.json').stderr}" in PAGE.read_text()
+
+
+def test_the_limits_on_the_page_are_those_of_the_code():
+    table = PAGE.read_text().split("| what | at most |")[1].split("\n\n")[0]
+    limits = [int(found.replace(",", "")) for found in re.findall(r"\| (\d[\d,]*)", table)]
+    digits = [MOST_DIGITS, MOST_DIGITS]
+    items = [MOST_ITEMS, MOST_BUTTONS, MOST_STOREYS, MOST_CHARACTERS, MOST_LONG]
+    assert limits == [MOST_BYTES // 2**20, *items, *digits]
