@@ -153,7 +153,7 @@ def lead_in(path):
         if path.stem == "trace":
             list(recording(path).lines)
         else:
-            playing = play(path)
+            playing = play(path, floats=path.stem == "scenario")
             playing.game.most = 500
             list(islice(playing.steps, 2))
     except FormatError as error:
