@@ -39,7 +39,7 @@ def check(
     """Settle claims: prove, test or refute them. Exit status 1 if a verdict is not the expected one."""
     from rich.console import Console
 
-    from properties.evidence.files import BUILD, WITNESSES
+    from properties.evidence.files import BUILD, RESULTS, RESULTS_LONG, WITNESSES
     from properties.evidence.settle import settle
     from properties.report import show_effort, show_surprises, show_table, write_results
 
@@ -52,7 +52,7 @@ def check(
     show_table(settled, console)
     show_effort(showings, console)
     if claim is None:
-        path = BUILD / ("results-long.json" if long else "results.json")
+        path = RESULTS_LONG if long else RESULTS
         write_results(settled, path)
         console.print(f"\n{len(settled)} claims; results in {path}", markup=False)
     show_surprises(settled, console)
@@ -180,6 +180,36 @@ def draw(
 
 
 @app.command()
+def schema(
+    kind: Annotated[str | None, typer.Argument(help="A kind of file; lists the kinds if left out.")] = None,
+) -> None:
+    """Print the JSON Schema of a kind of file."""
+    from properties import schemas
+
+    if kind is None:
+        width = max(map(len, schemas.KINDS))
+        print(*(f"{name:<{width}}  {one.sentence}" for name, one in schemas.KINDS.items()), sep="\n")
+    elif kind in schemas.KINDS:
+        print(json.dumps(schemas.schema(kind), indent=2))
+    else:
+        refuse(f"expected one of {', '.join(schemas.KINDS)}, got {kind!r}")
+
+
+@app.command()
+def itf(file: Annotated[Path, typer.Argument(help="A scenario, level or trace file.")]) -> None:
+    """Print a trace as ITF, the JSON of Apalache and Quint, with exact numbers."""
+    from reference.formats.files import FormatError
+    from reference.itf import text
+    from reference.recording import recording
+
+    try:
+        for piece in text(recording(file)):
+            print(piece, end="")
+    except FormatError as error:
+        refuse(str(error))
+
+
+@app.command()
 def explain(
     name: Annotated[str, typer.Argument(metavar="ID", help="An ID, as in push/request, or a source, as in R22.")],
 ) -> None:
@@ -206,6 +236,17 @@ def list_all(as_json: Annotated[bool, typer.Option("--json", help="As a JSON arr
     width = max(map(len, table))
     for statement in table.values():
         print(f"{statement.id:<{width}}  {statement.kind:<9}  {statement.sentence}")
+
+
+@app.command()
+def handbook(docs: Annotated[Path, typer.Argument(help="The directory of the documents.")] = Path("docs")) -> None:
+    """Write the reference: a page for each kind of statement, with pictures, from the last runs of the check."""
+    from properties.handbook import NoEvidence, write_handbook
+
+    try:
+        print(f"{write_handbook(docs)} entries in {docs / 'reference'}")
+    except NoEvidence as error:
+        refuse(str(error))
 
 
 @app.command()

@@ -8,11 +8,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
-from shutil import copyfile
+from shutil import copyfile, rmtree
 
 from properties.claims.claim import Claim
-from properties.evidence.files import RESULTS
+from properties.evidence.files import RESULTS, RESULTS_LONG
 from properties.explain import Fact, everything, facts, firings, witness_of
+from properties.pages import with_tables
 from properties.results import ClaimResult, Results
 from reference.draw import strip
 from reference.formats.files import FormatError, read
@@ -72,7 +73,7 @@ def results() -> dict[str, ClaimResult]:
         NoEvidence: if a run is missing.
     """
     try:
-        runs = [read(path, Results) for path in RESULTS]
+        runs = [read(path, Results) for path in (RESULTS, RESULTS_LONG)]
     except FormatError as error:
         raise NoEvidence(f"{error}; run `make check` and `make check-long` first") from None
     found = {result.id: result for run in runs for result in run.claims}
@@ -82,17 +83,16 @@ def results() -> dict[str, ClaimResult]:
     return found
 
 
-def write_handbook(to: Path) -> int:
-    """Write all pages with their pictures and witnesses; return the number of entries.
+def write_handbook(docs: Path) -> int:
+    """Write all pages anew with their pictures and witnesses; return the number of entries.
 
     Raises:
         NoEvidence: if a run of the check is missing.
     """
-    shown = results()
-    pictures, witnesses = to / "pictures", to / "witnesses"
-    for directory in (pictures, witnesses):
-        directory.mkdir(parents=True, exist_ok=True)
-    table = everything()
+    shown, table, to = results(), everything(), docs / "reference"
+    rmtree(to, ignore_errors=True)
+    for directory in (to / "pictures", to / "witnesses"):
+        directory.mkdir(parents=True)
     for page in PAGES:
         entries = [one for one in table.values() if one.kind in page.kinds]
         lines = [f"# {page.title}", "", page.about, "", MADE, ""]
@@ -100,6 +100,8 @@ def write_handbook(to: Path) -> int:
             lines += entry(one, shown, to)
         (to / page.file).write_text("\n".join(lines) + "\n")
     (to / "README.md").write_text("\n".join(index(table)) + "\n")
+    formats = docs / "formats.md"
+    formats.write_text(with_tables(formats.read_text()))
     return len(table)
 
 
@@ -143,15 +145,14 @@ def picture(one: Statement, shown: dict[str, ClaimResult], to: Path) -> Iterator
     """The picture of a rule where it fires, or of a claim by its witness."""
     if isinstance(one, Rule):
         found = firings()[one.id]
-        path, first, last = found.path, found.step - 1, found.step
-        text = f"{one.id} in {path.stem}"
+        drawn = strip(recording(found.path), found.step - 1, found.step)
+        text = f"{one.id} in {found.path.stem}"
     elif isinstance(one, Claim) and shown[one.id].witness is not None:
-        path = to / "witnesses" / witness_of(one).name
-        copyfile(witness_of(one), path)
-        first, last = 0, LAST
+        copyfile(witness_of(one), to / "witnesses" / witness_of(one).name)
+        drawn = strip(recording(witness_of(one)), 0)
         text = f"the witness against {one.id}"
     else:
         return
     drawing = to / "pictures" / f"{slug(one.id)}.svg"
-    drawing.write_text(strip(recording(path), first, last))
+    drawing.write_text(drawn)
     yield from (f"![{text}](pictures/{drawing.name})", "")

@@ -7,38 +7,15 @@ from collections.abc import Sequence
 from importlib.metadata import version
 from pathlib import Path
 
-import msgspec
 from rich.console import Console
 from rich.table import Table
 
 from properties.evidence.sample import SEED
 from properties.evidence.settle import Job, Settled, Showing
+from properties.results import ClaimResult, Results
+from reference.formats.files import write
 
 COLOURS = {"proved": "green", "bounded": "cyan", "tested": "cyan", "refuted": "yellow", "unknown": "red"}
-
-
-class ClaimResult(msgspec.Struct, frozen=True):
-    """One claim in results.json. `bodies` is null unless the verdict is `bounded`; `witness` is a path or null."""
-
-    id: str
-    family: str
-    profile: str
-    premises: list[str]
-    expected: str
-    verdict: str
-    bodies: int | None
-    cases: int
-    engine: str
-    seconds: float
-    witness: str | None
-
-
-class Results(msgspec.Struct, frozen=True):
-    """The document results.json."""
-
-    format: str
-    environment: dict[str, str]
-    claims: list[ClaimResult]
 
 
 def environment() -> dict[str, str]:
@@ -56,8 +33,8 @@ def result_of(settled: Settled) -> ClaimResult:
         family=claim.family,
         profile=claim.profile.name,
         premises=list(claim.premises),
-        expected=claim.expected.value,
-        verdict=settled.verdict.value,
+        expected=claim.expected,
+        verdict=settled.verdict,
         bodies=settled.bodies,
         cases=settled.cases,
         engine=settled.engine,
@@ -68,9 +45,7 @@ def result_of(settled: Settled) -> ClaimResult:
 
 def write_results(settled: Sequence[Settled], path: Path) -> None:
     """Write results.json."""
-    results = Results("graphbody/results@1", environment(), [result_of(one) for one in settled])
-    path.parent.mkdir(parents=True, exist_ok=True)
-    path.write_bytes(msgspec.json.format(msgspec.json.encode(results), indent=2) + b"\n")
+    write(path, Results("graphbody/results@1", environment(), [result_of(one) for one in settled]))
 
 
 def show_table(settled: Sequence[Settled], console: Console) -> None:

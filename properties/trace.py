@@ -26,8 +26,8 @@ def text_lines(step: Played[Any] | None, game: Game[Any]) -> Iterator[str]:
             fired.setdefault(body, []).append(rule)
         for body, rules in fired.items():
             yield f"  {body}: {' '.join(rules)}"
-    for held in sorted(game.world.bodies, key=lambda held: game.world.point(held.left)):
-        x, y = game.world.point(held.left)
+    points = [game.world.point(held.left) for held in game.world.bodies]
+    for (x, y), held in sorted(zip(points, game.world.bodies, strict=True), key=lambda pair: pair[0]):
         yield f"  {held.name} from {position(held.left, game)} to {position(held.right, game)}, at ({x}, {y})"
     if game.level.buttons:
         yield f"  goal: {'reached' if game.world.solved() else 'not reached'}"

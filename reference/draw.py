@@ -91,7 +91,7 @@ def pages(recording: Recording, to_a_page: int, first: int = 0, last: int | None
         yield sheet(recording, some, headed=True)
 
 
-def strip(recording: Recording, first: int, last: int) -> str:
+def strip(recording: Recording, first: int, last: int | None = None) -> str:
     """Some steps as one SVG without a heading, for use in another document; 0 is the start.
 
     Raises:

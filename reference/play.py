@@ -6,6 +6,7 @@ import sys
 from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
+from itertools import chain
 from pathlib import Path
 from typing import Any, Generic
 
@@ -13,9 +14,9 @@ import msgspec
 
 from reference.formats.files import FormatError, decode, one_line, pieces, read
 from reference.formats.level import LevelRecord, distances_per_tick, numbers_of, valid_level
-from reference.formats.numbers import check_denominators, exact
+from reference.formats.numbers import check_sums, exact
 from reference.formats.scenario import RequestRecord, ScenarioRecord, StepRecord, TickRecord, read_scenario
-from reference.simulator import Fulfilled, Game
+from reference.simulator import Endless, Fulfilled, Game
 from reference.world import LevelError
 from spec.body import Body, Level
 from spec.graph import Direction
@@ -102,7 +103,8 @@ def set_up(scenario: ScenarioRecord, level: LevelRecord, floats: bool) -> Game[A
     profile = profile_of(scenario.profile)
     held = valid_level(level, "$.level")
     distances = list(distances_of(scenario, held))
-    check_denominators([*numbers_of(held), *distances_per_tick(held), *distances])
+    asked = ((place, (distance,)) for place, distance in distances)
+    check_sums(chain(numbers_of(held), distances_per_tick(held), asked))
     if floats and any(abs(distance) > LARGEST_FLOAT for _, distance in distances):
         raise LevelError("$.steps", "expected distances that fit into a float")
     try:
@@ -122,16 +124,29 @@ def distances_of(scenario: ScenarioRecord, level: Level[Any]) -> Iterator[tuple[
             yield place, exact(step.request.distance, place)
 
 
-def steps(game: Game[Any], asked: list[StepRecord], floats: bool) -> Iterator[Played[Any]]:
-    """Play the steps one after another, tick by tick."""
-    for step in asked:
-        if step.request is not None:
-            distance = exact(step.request.distance, "$")
-            yield played(game, step.request, [game.request(step.request.body, float(distance) if floats else distance)])
-        if step.tick is not None:
-            for _ in range(step.tick.times):
-                tick = TickRecord(step.tick.key)
-                yield played(game, tick, game.tick(Direction[tick.key.upper()]))
+def steps(game: Game[Any], asked: list[StepRecord], floats: bool, path: Path) -> Iterator[Played[Any]]:
+    """Play the steps one after another, tick by tick.
+
+    Raises:
+        FormatError: if a step takes more rules than any is allowed to.
+    """
+    number = 0
+    try:
+        for number, step in enumerate(asked):
+            yield from ticks(game, step, floats)
+    except Endless as error:
+        raise FormatError(f"{path}: $.steps[{number}]: {error}") from None
+
+
+def ticks(game: Game[Any], step: StepRecord, floats: bool) -> Iterator[Played[Any]]:
+    """Play one step, tick by tick."""
+    if step.request is not None:
+        distance = exact(step.request.distance, "$")
+        yield played(game, step.request, [game.request(step.request.body, float(distance) if floats else distance)])
+    if step.tick is not None:
+        tick = TickRecord(step.tick.key)
+        for _ in range(step.tick.times):
+            yield played(game, tick, game.tick(Direction[tick.key.upper()]))
 
 
 def played(game: Game[Any], asked: RequestRecord | TickRecord, moves: list[Fulfilled[Any]]) -> Played[Any]:
@@ -153,4 +168,4 @@ def play(path: Path, floats: bool = False) -> Playing:
         in_level = isinstance(scenario.level, str) and error.place.startswith("$.level")
         place = f"{path.parent / str(scenario.level)}: ${error.place[7:]}" if in_level else f"{path}: {error.place}"
         raise FormatError(one_line(f"{place}: {error.problem}")) from None
-    return Playing(scenario, level, game, steps(game, scenario.steps, floats))
+    return Playing(scenario, level, game, steps(game, scenario.steps, floats, path))

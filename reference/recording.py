@@ -10,10 +10,10 @@ from pathlib import Path
 from typing import Any
 
 from reference.formats.files import FormatError, decode, one_line, pieces
-from reference.formats.level import numbers_of, position_of, position_record, valid_level
-from reference.formats.numbers import check_denominators, number_text
+from reference.formats.level import Tops, position_of, position_record, tops_of, valid_level
+from reference.formats.numbers import number_text
 from reference.formats.scenario import RequestRecord, StepRecord, check_step
-from reference.formats.trace import EventRecord, HeaderRecord, LineRecord, MoveRecord, PlaceRecord
+from reference.formats.trace import EventRecord, HeaderRecord, LineRecord, MoveRecord, PlaceRecord, check_line
 from reference.play import Played, Playing, format_of, play, profile_of
 from reference.simulator import Fulfilled
 from reference.world import LevelError, World, standing
@@ -57,10 +57,11 @@ def read_trace(path: Path) -> Recording:
         profile, level = profile_of(header.profile), valid_level(header.level, "$.level")
     except LevelError as error:
         raise FormatError(one_line(f"{path}:1: {error}")) from None
-    return Recording(header, level, profile, read_lines(path, content))
+    tops = tops_of(header.level, len(level.graph.edges))
+    return Recording(header, level, profile, read_lines(path, content, tops))
 
 
-def read_lines(path: Path, content: Iterator[bytes]) -> Iterator[LineRecord]:
+def read_lines(path: Path, content: Iterator[bytes], tops: Tops) -> Iterator[LineRecord]:
     """The lines after the header of a trace."""
     for number, text in enumerate(content, start=1):
         where = f"{path}:{number + 1}"
@@ -68,6 +69,10 @@ def read_lines(path: Path, content: Iterator[bytes]) -> Iterator[LineRecord]:
         check_step(StepRecord(line.request, line.tick), f"{where}: $")
         if line.step is not None and line.step != number:
             raise FormatError(f"{where}: $.step: expected {number}, got {line.step}")
+        try:
+            check_line(line, tops)
+        except LevelError as error:
+            raise FormatError(one_line(f"{where}: {error}")) from None
         yield line
 
 
@@ -130,23 +135,17 @@ def supports_of(bodies: tuple[Body[Any], ...], level: Level[Any]) -> dict[str, s
 
 
 def state_after(level: Level[Fraction], line: LineRecord) -> World[Fraction]:
-    """The world in which a line says that its step ended; any state that bodies can be in, good or bad.
+    """The world in which a line of a trace says that its step ended: any state that bodies can be in, good or bad.
 
     Raises:
-        LevelError: if it is none.
+        LevelError: if bodies cannot be so.
     """
     statics = len(level.graph.edges)
-    tops = {body.name: statics + i for i, body in enumerate(level.bodies)}
-    placed: dict[str, Body[Fraction]] = {}
-    for i, place in enumerate(line.bodies):
-        at = f"$.bodies[{i}]"
-        if place.name not in tops or place.name in placed:
-            raise LevelError(f"{at}.name", f"expected each body once, got {place.name!r}")
-        body = level.bodies[tops[place.name] - statics]
+    tops = Tops(statics, {body.name: statics + i for i, body in enumerate(level.bodies)})
+    places = {place.name: (f"$.bodies[{i}]", place) for i, place in enumerate(line.bodies)}
+    bodies = []
+    for body in level.bodies:
+        at, place = places[body.name]
         left, right = position_of(place.left, tops, f"{at}.left"), position_of(place.right, tops, f"{at}.right")
-        placed[place.name] = replace(body, left=left, right=right)
-    if missing := tops.keys() - placed.keys():
-        raise LevelError("$.bodies", f"expected every body, {min(missing)!r} is missing")
-    after = replace(level, bodies=tuple(placed[body.name] for body in level.bodies))
-    check_denominators(numbers_of(after))
-    return standing(after)
+        bodies.append(replace(body, left=left, right=right))
+    return standing(replace(level, bodies=tuple(bodies)))

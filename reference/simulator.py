@@ -41,7 +41,7 @@ class Record:
         """
         self.fired.append((self.body, rule))
         if self.most is not None and len(self.fired) > self.most:
-            raise Endless(f"$: expected a step that ends, more than {self.most} rules fired")
+            raise Endless(f"expected a step that ends, more than {self.most} rules fired")
 
     @property
     def transitions(self) -> int:

@@ -20,6 +20,9 @@ from spec.interpolation import linear
 from spec.number import N, zero_like
 from spec.world import Beyond, Jump
 
+MOST_STOREYS = 100
+LEFT_OF_RIGHT = "expected the left border to be left of the right border"
+
 
 class LevelError(ValueError):
     """A level that the world cannot hold; `place` says where, as in `$.bodies[2].right`."""
@@ -31,11 +34,7 @@ class LevelError(ValueError):
 
     def under(self, place: str) -> LevelError:
         """The same of a level that is itself at a place in a document."""
-        return type(self)(self.place.replace("$", place, 1), self.problem)
-
-
-class NumberError(LevelError):
-    """A number in a level, or beside it, that cannot be read."""
+        return LevelError(self.place.replace("$", place, 1), self.problem)
 
 
 @dataclass
@@ -68,15 +67,13 @@ def strings_of(graph: Graph[N]) -> list[tuple[list[int], bool]]:
     """The strings of ground edges, from left to right, and whether each is a ring.
 
     Raises:
-        LevelError: if a look-up has two results.
+        LevelError: if two ground edges leave a vertex in one direction.
     """
+    for (vertex, direction, edge_type), edges in graph.table.items():
+        if edge_type is EdgeType.GROUND and len(edges) > 1:
+            both = f"ground edges {edges[0]} and {edges[1]}"
+            raise LevelError(f"$.vertices[{vertex}]", f"{both} leave it to the {direction.name.lower()} (A41)")
     ground = [i for i, edge in enumerate(graph.edges) if edge.type is EdgeType.GROUND]
-    for index in ground:
-        edge = graph.edges[index]
-        for direction in Direction:
-            vertex = edge.towards(direction)
-            if len(graph.look_up(vertex, direction, EdgeType.GROUND)) > 1:
-                raise LevelError(f"$.vertices[{vertex}]", "two ground edges leave it in one direction (A41)")
     starts = [i for i in ground if not graph.look_up(graph.edges[i].left, Direction.LEFT, EdgeType.GROUND)]
     strings = [(string_from(graph, start), False) for start in starts]
     found = {edge for string, _ in strings for edge in string}
@@ -258,18 +255,18 @@ class World(Generic[N]):
         Overhang continues the line of the edge (A56). A top is a height straight above its body (A30); where its
         body stands across a bend, it is interpolated between the corners (R13).
         """
-        up = zero_like(at.location)
-        while at.edge >= self.statics:
-            held = self.bodies[at.edge - self.statics]
+        number, location, up = at.edge, at.location, zero_like(at.location)
+        while number >= self.statics:
+            held = self.bodies[number - self.statics]
             up = up + held.height
             if not self.straight(held):
-                part = at.location / self.width(at.edge - self.statics)  # type: ignore[operator]
+                part = location / self.width(number - self.statics)  # type: ignore[operator]
                 x, y = linear(self.point(held.left), self.point(held.right), part)
                 return x, y + up
-            at = replace(held.left, location=held.left.location + at.location)
-        edge = self.graph.edges[at.edge]
+            number, location = held.left.edge, held.left.location + location
+        edge = self.graph.edges[number]
         start = self.graph.vertices[edge.left]
-        return start.x + at.location * edge.run, start.y + at.location * edge.rise + up  # type: ignore[operator]
+        return start.x + location * edge.run, start.y + location * edge.rise + up  # type: ignore[operator]
 
     def tip_point(self, edge: int, direction: Direction) -> tuple[N, N]:
         """Where an end of an edge is: a static one exactly at its vertex, in floats too."""
@@ -311,10 +308,12 @@ class World(Generic[N]):
         """Whether a character stands on a button: between its borders, on its string (1.1)."""
         row, along = self.row_of_edge[button.edge], self.coordinate(button)
         for body in row.order:
+            if not self.bodies[body].speed:
+                continue
             after = along - self.coordinate(self.bodies[body].left)
             if row.closed and after < zero_like(after):
                 after = after + row.length
-            if self.bodies[body].speed and after >= zero_like(after) and after <= self.width(body):
+            if after >= zero_like(after) and after <= self.width(body):
                 return True
         return False
 
@@ -493,6 +492,17 @@ def check_borders(level: Level[N]) -> None:
             raise LevelError(f"$.bodies[{index}].height", f"expected a number greater than 0, got {body.height}")
         for side, at in (("left", body.left), ("right", body.right)):
             check_edge(level, index, side, at)
+        check_top(level, index, body)
+
+
+def check_top(level: Level[N], index: int, body: Body[N]) -> None:
+    """Refuse borders on two tops, or on a top and the ground, and borders on a top that are the wrong way round."""
+    if max(body.left.edge, body.right.edge) < len(level.graph.edges):
+        return
+    if body.left.edge != body.right.edge:
+        raise LevelError(f"$.bodies[{index}].right", "expected both borders on the same top")
+    if body.left.location >= body.right.location:
+        raise LevelError(f"$.bodies[{index}]", LEFT_OF_RIGHT)
 
 
 def check_edge(level: Level[N], index: int, side: str, at: EdgePosition[N]) -> None:
@@ -505,22 +515,22 @@ def check_edge(level: Level[N], index: int, side: str, at: EdgePosition[N]) -> N
 
 
 def check_supports(level: Level[N]) -> None:
-    """Refuse a body that stands, through others, on itself."""
+    """Refuse a body that stands, through others, on itself, or on too many."""
     statics = len(level.graph.edges)
-    grounded: set[int] = set()
-    for index in range(len(level.bodies)):
-        below, chain = index, {index}
-        while below not in grounded and (edge := level.bodies[below].left.edge) >= statics:
-            below = edge - statics
-            if below in chain:
-                raise LevelError(f"$.bodies[{index}].left.top", "expected a chain of supports that ends on the ground")
-            chain.add(below)
-        grounded.update(chain)
+    for index, body in enumerate(level.bodies):
+        edge, storeys = body.left.edge, 0
+        while edge >= statics:
+            edge, storeys = level.bodies[edge - statics].left.edge, storeys + 1
+            if storeys > MOST_STOREYS:
+                expected = f"expected a chain of supports that ends on the ground, at most {MOST_STOREYS} bodies below"
+                raise LevelError(f"$.bodies[{index}].left.top", expected)
 
 
 def check_overhang(world: World[N], body: int) -> None:
     """Refuse a border beyond the end of its edge where there is no ledge, and a body wholly beyond it."""
-    zero, place = zero_like(world.margin), f"$.bodies[{body}]"
+    zero, place, held = zero_like(world.margin), f"$.bodies[{body}]", world.bodies[body]
+    if world.row_of_edge[held.left.edge] is not world.row_of_edge[held.right.edge]:
+        raise LevelError(f"{place}.right.edge", f"expected an edge that ground joins to edge {held.left.edge}")
     for direction in Direction:
         view = world.facing(direction)
         for side, at in (("front", view.front(body)), ("rear", view.rear(body))):
@@ -543,7 +553,7 @@ def standing(level: Level[N]) -> World[N]:
         if world.row_of_edge[held.left.edge] is not world.row_of_edge[held.right.edge]:
             raise LevelError(f"$.bodies[{body}].right", "expected both borders on the same string of ground edges")
         if world.width(body) <= zero_like(level.margin):
-            raise LevelError(f"$.bodies[{body}]", "expected the left border to be left of the right border")
+            raise LevelError(f"$.bodies[{body}]", LEFT_OF_RIGHT)
     return world
 
 

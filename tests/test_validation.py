@@ -390,10 +390,12 @@ def test_a_divergence_is_told_with_place_rule_guard_and_a_replay_that_works(tmp_
 
 def test_a_state_that_no_body_can_be_in_is_neither_a_divergence_nor_a_bad_file(tmp_path):
     header, *lines = map(msgspec.to_builtins, trace_of(SCENARIOS / "push-into-wall.json"))
-    lines[1]["bodies"][0]["left"]["edge"] = 7
+    lines[1]["bodies"][0]["left"]["location"] = lines[1]["bodies"][0]["right"]["location"]
     report = validate(written(tmp_path / "trace.jsonl", [header, *lines]))
     assert not report.conforms
-    assert report.invalid.endswith("trace.jsonl:3: $.bodies[0].left.edge: expected 0 to 2, got 7")
+    assert report.invalid.endswith(
+        "trace.jsonl:3: $.bodies[0]: expected the left border to be left of the right border"
+    )
     assert report.found.total() == 1
 
 

@@ -10,7 +10,7 @@ from reference.formats.level import numbers_of
 from reference.formats.numbers import exact
 from reference.formats.trace import HeaderRecord, LineRecord
 from reference.recording import Recording
-from reference.world import LevelError, NumberError, World
+from reference.world import LevelError, World
 from spec.body import Level
 from spec.graph import Direction
 from spec.number import greater
@@ -21,9 +21,8 @@ UNIT_ROUNDOFF = {"exact": Fraction(0), "float64": Fraction(1, 2**53), "float32":
 LARGEST_ON_GRID = 2**24
 
 
-class RequestError(LevelError):
-    """A line asks for what cannot be asked for."""
-
+Numbers = tuple[str, tuple[Fraction, ...]]
+"""Numbers, and the place in a document where they are."""
 
 Request = tuple[int, Direction, Fraction]
 """A body, a direction, and a distance of at least 0."""
@@ -41,15 +40,9 @@ class Step:
 
 
 def requests_of(level: Level[Fraction], profile: Profile, line: LineRecord) -> tuple[Request, ...]:
-    """The requests of a line, in the order in which they are made.
-
-    Raises:
-        LevelError: if a body or a distance is not as it must be.
-    """
+    """The requests of a line, in the order in which they are made."""
     handles = {body.name: handle for handle, body in enumerate(level.bodies)}
     if line.request is not None:
-        if line.request.body not in handles:
-            raise RequestError("$.request.body", f"no body is named {line.request.body!r}")
         distance = exact(line.request.distance, "$.request.distance")
         direction = Direction.LEFT if distance < 0 else Direction.RIGHT
         return ((handles[line.request.body], direction, abs(distance)),)
@@ -76,40 +69,40 @@ def largest(level: Level[Fraction]) -> Fraction:
     return size
 
 
-def check_grid(grid: Fraction, numbers: Iterator[tuple[str, Fraction]]) -> None:
+def check_grid(grid: Fraction, numbers: Iterator[Numbers]) -> None:
     """Refuse numbers that are not on a grid, or so large that a small float could not hold them.
 
     Raises:
-        NumberError: with the place of the first.
+        LevelError: with the place of the first.
     """
-    for place, number in numbers:
-        if (number / grid).denominator != 1 or abs(number) >= LARGEST_ON_GRID * grid:
-            raise NumberError(
-                place, f"expected a multiple of the grid {grid}, below {LARGEST_ON_GRID * grid}, got {number}"
-            )
+    most = LARGEST_ON_GRID * grid
+    for place, here in numbers:
+        for number in here:
+            if (number / grid).denominator != 1 or abs(number) >= most:
+                raise LevelError(place, f"expected a multiple of the grid {grid}, below {most}, got {number}")
 
 
 def grid_of(log: Recording) -> Fraction | None:
     """The grid of a log, if it has one. No edge may slope: points on it would not be on the grid.
 
     Raises:
-        NumberError: with the place of the first number that is not on it.
+        LevelError: with the place of the first number that is not on it.
     """
     if log.header.grid is None:
         return None
     grid, level = exact(log.header.grid, "$.grid"), log.level
     if grid <= 0:
-        raise NumberError("$.grid", f"expected a number greater than 0, got {grid}")
+        raise LevelError("$.grid", f"expected a number greater than 0, got {grid}")
     for i, edge in enumerate(level.graph.edges):
         if edge.run != 0 and edge.rise != 0:
-            raise NumberError(f"$.level.edges[{i}]", "on a grid expected an edge that is level or vertical")
-    check_grid(grid, (("$.level" + place[1:], number) for place, number in numbers_of(level)))
-    check_grid(grid, iter([("$.level", largest(level))]))
+            raise LevelError(f"$.level.edges[{i}]", "on a grid expected an edge that is level or vertical")
+    check_grid(grid, (("$.level" + place[1:], here) for place, here in numbers_of(level)))
+    check_grid(grid, iter([("$.level", (largest(level),))]))
     return grid
 
 
-def numbers_of_step(asked: tuple[Request, ...], after: World[Fraction]) -> Iterator[tuple[str, Fraction]]:
-    """The numbers that a line adds to those of the level, each with its place."""
-    yield from (("$.request.distance", distance) for _, _, distance in asked)
+def numbers_of_step(asked: tuple[Request, ...], after: World[Fraction]) -> Iterator[Numbers]:
+    """The numbers that a line adds to those of the level, with their places."""
+    yield "$.request.distance", tuple(distance for _, _, distance in asked)
     for i, body in enumerate(after.bodies):
-        yield from ((f"$.bodies[{i}]", at.location) for at in (body.left, body.right))
+        yield f"$.bodies[{i}]", (body.left.location, body.right.location)

@@ -11,7 +11,6 @@ from pathlib import Path
 from properties.conformance.diagnosis import Diagnosis, diagnose
 from properties.conformance.judge import Difference, Finding, Judgement, judge
 from properties.conformance.log import (
-    RequestError,
     Step,
     check_grid,
     grid_of,
@@ -23,9 +22,10 @@ from properties.conformance.minimise import Reduction
 from properties.conformance.said import of_the_events, of_the_moves, of_the_state
 from reference.formats.files import FormatError, one_line
 from reference.formats.scenario import ScenarioRecord
+from reference.formats.trace import LineRecord
 from reference.recording import Recording, read_trace, state_after
 from reference.simulator import Endless
-from reference.world import LevelError, NumberError, World
+from reference.world import LevelError, World
 from spec.graph import Direction
 from spec.invariants import NO_OVERLAP, RIGID_WIDTH, Deed, Invariant
 from spec.plane import APART, NEVER_RAISED, PLANE_MARGIN, TERRAIN
@@ -99,8 +99,8 @@ def validate(path: Path) -> Report:
     try:
         for step in steps_of(path, log):
             look_at(step, log, report)
-    except (NumberError, Endless) as error:
-        raise FormatError(one_line(f"{path}:{step.number}: {error}")) from None
+    except Endless as error:
+        raise FormatError(f"{path}:{step.number}: $: {error}") from None
     except StateError as error:
         report.invalid = str(error)
     except FormatError:
@@ -114,24 +114,32 @@ def steps_of(path: Path, log: Recording) -> Iterator[Step]:
     """The steps of a log, one after another.
 
     Raises:
-        FormatError: at the first line with a number or a name that is not as it must be.
+        FormatError: at the first line that is none, or has a number that is not on the log's grid.
         StateError: at the first line that says that its step ended in a state that no body can be in.
     """
-    number = 1
+    state, number = World(log.level), 1
     try:
         grid = grid_of(log)
-        state = World(log.level)
         for number, line in enumerate(log.lines, start=2):
-            asked = requests_of(log.level, log.profile, line)
-            after = state_after(log.level, line)
+            asked, after = requests_of(log.level, log.profile, line), world_after(log, line, f"{path}:{number}")
             if grid is not None:
                 check_grid(grid, numbers_of_step(asked, after))
             yield Step(number, state, asked, line, after)
             state = after
-    except (NumberError, RequestError) as error:
-        raise FormatError(one_line(f"{path}:{number}: {error}")) from None
     except LevelError as error:
-        raise StateError(one_line(f"{path}:{number}: {error}")) from None
+        raise FormatError(one_line(f"{path}:{number}: {error}")) from None
+
+
+def world_after(log: Recording, line: LineRecord, where: str) -> World[Fraction]:
+    """The state that a line says that its step ended in.
+
+    Raises:
+        StateError: if no body can be so.
+    """
+    try:
+        return state_after(log.level, line)
+    except LevelError as error:
+        raise StateError(one_line(f"{where}: {error}")) from None
 
 
 def look_at(step: Step, log: Recording, report: Report) -> None:

@@ -6,6 +6,7 @@ from pathlib import Path
 
 BUILD = Path("build")
 WITNESSES = BUILD / "witnesses"
+RESULTS, RESULTS_LONG = BUILD / "results.json", BUILD / "results-long.json"
 
 
 def file_name(claim_id: str) -> str:

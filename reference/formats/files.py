@@ -5,18 +5,27 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Annotated, TypeVar
+from typing import Annotated, Any, TypeVar
 
 import msgspec
-from msgspec import Meta
+from msgspec import Meta, inspect
 
 MOST_BYTES = 64 * 2**20
 MOST_ITEMS = 100_000
 MOST_CHARACTERS = 100
+MOST_SHOWN = 1000
+WORD = "Invalid enum value "
 PLACE = re.compile(r"(?P<problem>.*) - at `(?P<place>\$.*)`", re.DOTALL)
 
 T = TypeVar("T")
 Item = TypeVar("Item")
+
+
+def says(text: str) -> Meta:
+    """What a field means, with its unit; it stands in the schema and in the tables of docs/formats.md."""
+    return Meta(description=text)
+
+
 Name = Annotated[str, Meta(min_length=1, max_length=MOST_CHARACTERS)]
 Many = Annotated[list[Item], Meta(max_length=MOST_ITEMS)]
 
@@ -30,8 +39,9 @@ class Record(msgspec.Struct, forbid_unknown_fields=True, omit_defaults=True, fro
 
 
 def one_line(text: str) -> str:
-    """A text with whatever would break its line escaped."""
-    return "".join(char if char.isprintable() else repr(char)[1:-1] for char in text)
+    """A text with whatever would break its line escaped, cut short if it is long."""
+    shown = text if len(text) <= MOST_SHOWN else text[:MOST_SHOWN] + "…"
+    return "".join(char if char.isprintable() else repr(char)[1:-1] for char in shown)
 
 
 def decode(content: bytes, kind: type[T], where: str) -> T:
@@ -45,9 +55,36 @@ def decode(content: bytes, kind: type[T], where: str) -> T:
     except msgspec.ValidationError as error:
         found = PLACE.fullmatch(str(error))
         place, problem = (found["place"], found["problem"]) if found else ("$", str(error))
+        if problem.startswith(WORD):
+            problem = f"expected {' or '.join(permitted(kind, place))}, got {problem.removeprefix(WORD)}"
         raise FormatError(one_line(f"{where}: {place}: {problem}")) from None
-    except (msgspec.DecodeError, RecursionError, UnicodeError) as error:
+    except RecursionError:
+        raise FormatError(one_line(f"{where}: $: expected arrays and objects that are nested less deeply")) from None
+    except (msgspec.DecodeError, UnicodeError) as error:
         raise FormatError(one_line(f"{where}: not JSON: {error}")) from None
+
+
+def permitted(kind: type[Any], place: str) -> list[str]:
+    """The words that are permitted at a place in a document."""
+    nodes = list(plain(inspect.type_info(kind)))
+    for name, item in re.findall(r"\.(\w+)|(\[)", place):
+        if item:
+            nodes = [inner for node in nodes if isinstance(node, inspect.ListType) for inner in plain(node.item_type)]
+        else:
+            fields = [field for node in nodes if isinstance(node, inspect.StructType) for field in node.fields]
+            nodes = [inner for field in fields if field.name == name for inner in plain(field.type)]
+    return [str(word) for node in nodes if isinstance(node, inspect.LiteralType) for word in node.values]
+
+
+def plain(node: inspect.Type) -> Iterator[inspect.Type]:
+    """What a type may be, without what is said about it."""
+    if isinstance(node, inspect.Metadata):
+        yield from plain(node.type)
+    elif isinstance(node, inspect.UnionType):
+        for choice in node.types:
+            yield from plain(choice)
+    else:
+        yield node
 
 
 def read(path: Path, kind: type[T]) -> T:
@@ -77,7 +114,7 @@ def pieces(path: Path, whole: bool = False) -> Iterator[bytes]:
     except ValueError as error:
         if isinstance(error, FormatError):
             raise
-        raise FormatError(one_line(f"{str(path)!r}: {error}")) from None
+        raise FormatError(one_line(f"{path}: {error}")) from None
 
 
 def write(path: Path, record: msgspec.Struct) -> None:

@@ -3,79 +3,113 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import dataclass
 from fractions import Fraction
 from itertools import pairwise
 from typing import Annotated, Any, Literal
 
 from msgspec import Meta
 
-from reference.formats.files import Many, Name, Record
-from reference.formats.numbers import Number, check_denominators, exact, number_text
+from reference.formats.files import Many, Name, Record, says
+from reference.formats.numbers import Number, check_sums, exact, number_text
 from reference.world import LevelError, world_of
 from spec.body import Body, EdgePosition, Level
 from spec.graph import Edge, EdgeType, ExplicitEdge, Graph, IrrationalLength, NoLength, Vertex, explicit, polyline
 
+MOST_BUTTONS = 100
 Index = Annotated[int, Meta(ge=0)]
 
 
 class Position(Record, frozen=True):
-    """An edge position: a static edge by its number or the top of a body by its name, and a location from its left."""
+    """An edge position: one edge, static or the top of a body, and how far along it. Either `edge` or `top` is given.
 
-    location: Number
-    edge: Index | None = None
-    top: Name | None = None
+    A location below 0 or beyond the edge's length is overhang, which only a ledge permits.
+    """
+
+    location: Annotated[Number, says("distance along the edge from its left end, in units of length")]
+    edge: Annotated[Index | None, says("a static edge, by its number, counted from 0")] = None
+    top: Annotated[Name | None, says("the top of a body, by the body's name")] = None
 
 
 class BodyRecord(Record, frozen=True):
-    """A body: name, borders, speed (distance per second; 0 for a box), height, and whether it may push others."""
+    """A body where it starts: a character if it has a speed, else a box."""
 
-    name: Name
-    left: Position
-    right: Position
-    speed: Number = "0"
-    height: Number = "1"
-    pushes: bool = True
+    name: Annotated[Name, says("its name; no other body of the level has it")]
+    left: Annotated[Position, says("where its left border is")]
+    right: Annotated[Position, says("where its right border is")]
+    speed: Annotated[Number, says("units of length per second while a key is held; 0 for a box")] = "0"
+    height: Annotated[Number, says("height in units of length, more than 0; others may stand on its top")] = "1"
+    pushes: Annotated[bool, says("whether it may push others")] = True
 
 
 class EdgeRecord(Record, frozen=True):
-    """An edge of an explicit graph, from its left to its right vertex; without a type, its steepness decides it.
+    """An edge of an explicit graph, from its left to its right vertex."""
 
-    Under a ground edge all is solid, or down to `thickness` only.
-    """
-
-    left: Index
-    right: Index
-    type: Literal["ground", "fall"] | None = None
-    thickness: Number | None = None
+    left: Annotated[Index, says("its left vertex, by its number, counted from 0")]
+    right: Annotated[Index, says("its right vertex, by its number")]
+    type: Annotated[
+        Literal["ground", "fall"] | None,
+        says("bodies walk on `ground` and drop down `fall`; if left out, steeper than 60 degrees is `fall`"),
+    ] = None
+    thickness: Annotated[
+        Number | None,
+        says("how far down it is solid under a ground edge, in units of length; if left out, all the way"),
+    ] = None
 
 
 class LevelRecord(Record, frozen=True):
-    """A level: vertices, joined from left to right, or as `edges` says; round a cylinder if it has a circumference.
+    """A level: the graph, the bodies where they start, and the goal.
 
-    Its goal is that a character stands on each of its buttons.
+    The edges join the vertices from left to right, or are those of `edges`. Edges are numbered from 0, from the left or
+    in the order of `edges`; their lengths must be rational numbers.
     """
 
-    format: Literal["graphbody/level@1"]
-    name: Name
-    vertices: Many[tuple[Number, Number]]
-    bodies: Many[BodyRecord]
-    margin: Number = "1/100"
-    tick: Number = "1/50"
-    circumference: Number | None = None
-    edges: Many[EdgeRecord] | None = None
-    buttons: Many[Position] = []  # noqa: RUF012 (a struct copies it)
-    note: str = ""
+    format: Annotated[Literal["graphbody/level@1"], says("what the file is, and the version of its format")]
+    name: Annotated[Name, says("the name of the level")]
+    vertices: Annotated[
+        Annotated[Many[tuple[Number, Number]], Meta(min_length=1)],
+        says("the points of the graph: x, which grows to the right, and y, which grows up"),
+    ]
+    bodies: Annotated[Many[BodyRecord], says("the bodies; in this order they take their turns in a tick")]
+    margin: Annotated[
+        Number, says("the collision margin: how near two bodies may come, in units of length, more than 0")
+    ] = "1/100"
+    tick: Annotated[Number, says("the length of a tick in seconds, more than 0")] = "1/50"
+    circumference: Annotated[
+        Number | None, says("on a cylinder, how far it is once round, in units of length; if left out, a plane")
+    ] = None
+    edges: Annotated[
+        Many[EdgeRecord] | None,
+        says("the edges; if left out, each vertex is joined to the next one, and round a cylinder"),
+    ] = None
+    buttons: Annotated[
+        Annotated[list[Position], Meta(max_length=MOST_BUTTONS)],
+        says("the goal: on each of these places a character stands, all at the same time"),
+    ] = []  # noqa: RUF012 (a struct copies it)
+    note: Annotated[str, says("what the level is there for; nothing depends on it")] = ""
 
 
-def position_of(record: Position, tops: dict[str, int], place: str) -> EdgePosition[Fraction]:
-    """An edge position with exact numbers; `tops` are the edges of the tops of bodies, by name."""
+@dataclass(frozen=True)
+class Tops:
+    """The edges of the tops of bodies, by the bodies' names; static edges are those numbered below `statics`."""
+
+    statics: int
+    edges: dict[str, int]
+
+
+def position_of(record: Position, tops: Tops, place: str) -> EdgePosition[Fraction]:
+    """An edge position with exact numbers.
+
+    Raises:
+        LevelError: if it is not on one edge that is there, or its location is no number.
+    """
     if (record.edge is None) == (record.top is None):
         raise LevelError(place, "expected either `edge` or `top`")
-    if record.top is not None and record.top not in tops:
+    if record.top is not None and record.top not in tops.edges:
         raise LevelError(f"{place}.top", f"no body is named {record.top!r}")
-    if record.edge is not None and not record.edge < (statics := min(tops.values(), default=0)):
-        raise LevelError(f"{place}.edge", f"expected 0 to {statics - 1}, got {record.edge}")
-    edge = tops[record.top] if record.top is not None else record.edge
+    if record.edge is not None and record.edge >= tops.statics:
+        raise LevelError(f"{place}.edge", f"expected 0 to {tops.statics - 1}, got {record.edge}")
+    edge = tops.edges[record.top] if record.top is not None else record.edge
     assert edge is not None
     return EdgePosition(edge, exact(record.location, f"{place}.location"))
 
@@ -92,7 +126,7 @@ def level_of(record: LevelRecord) -> Level[Fraction]:
     buttons = tuple(position_of(at, tops, f"$.buttons[{i}]") for i, at in enumerate(record.buttons))
     margin, tick = exact(record.margin, "$.margin"), exact(record.tick, "$.tick")
     level = Level(graph, margin, tick, bodies, buttons)
-    check_denominators([*numbers_of(level), *distances_per_tick(level)])
+    check_sums([*numbers_of(level), *distances_per_tick(level)])
     return level
 
 
@@ -110,31 +144,32 @@ def valid_level(record: LevelRecord, place: str) -> Level[Fraction]:
     return level
 
 
-def numbers_of(level: Level[Fraction]) -> Iterator[tuple[str, Fraction]]:
-    """The numbers of a level that sums are made of, each with its place."""
+def numbers_of(level: Level[Fraction]) -> Iterator[tuple[str, tuple[Fraction, ...]]]:
+    """The numbers of a level that sums are made of, with their places."""
     for i, vertex in enumerate(level.graph.vertices):
-        yield from ((f"$.vertices[{i}]", number) for number in (vertex.x, vertex.y))
+        yield f"$.vertices[{i}]", (vertex.x, vertex.y)
     for i, edge in enumerate(level.graph.edges):
-        yield f"$.edges[{i}].thickness", edge.thickness or edge.length
+        yield f"$.edges[{i}].thickness", (edge.thickness or edge.length,)
     for i, body in enumerate(level.bodies):
-        yield from ((f"$.bodies[{i}]", number) for number in (body.left.location, body.right.location, body.height))
-    yield "$.margin", level.margin
+        yield f"$.bodies[{i}]", (body.left.location, body.right.location, body.height)
+    yield "$.margin", (level.margin,)
+    yield "$.circumference", (level.graph.circumference or level.margin,)
 
 
-def distances_per_tick(level: Level[Fraction]) -> Iterator[tuple[str, Fraction]]:
-    """How far the bodies of a level want to move in a tick, each with its place."""
+def distances_per_tick(level: Level[Fraction]) -> Iterator[tuple[str, tuple[Fraction, ...]]]:
+    """How far the bodies of a level want to move in a tick, with their places."""
     for i, body in enumerate(level.bodies):
-        yield f"$.bodies[{i}].speed", body.speed * level.tick
+        yield f"$.bodies[{i}].speed", (body.speed * level.tick,)
 
 
-def tops_of(record: LevelRecord, statics: int) -> dict[str, int]:
-    """The edges of the tops of bodies, by the bodies' names."""
-    tops: dict[str, int] = {}
+def tops_of(record: LevelRecord, statics: int) -> Tops:
+    """The edges of the tops of bodies, by the bodies' names; they are numbered after the static edges."""
+    edges: dict[str, int] = {}
     for i, body in enumerate(record.bodies):
-        if body.name in tops:
+        if body.name in edges:
             raise LevelError(f"$.bodies[{i}].name", f"expected a name of its own, got {body.name!r} again")
-        tops[body.name] = statics + i
-    return tops
+        edges[body.name] = statics + i
+    return Tops(statics, edges)
 
 
 def graph_of(record: LevelRecord) -> Graph[Fraction]:
@@ -179,7 +214,7 @@ def check_left_to_right(vertices: list[Vertex[Fraction]], circumference: Fractio
         raise LevelError("$.circumference", "expected more than the distance of the first and last vertex")
 
 
-def body_of(record: BodyRecord, tops: dict[str, int], place: str) -> Body[Fraction]:
+def body_of(record: BodyRecord, tops: Tops, place: str) -> Body[Fraction]:
     """A body with exact numbers."""
     speed, height = exact(record.speed, f"{place}.speed"), exact(record.height, f"{place}.height")
     if speed < 0:

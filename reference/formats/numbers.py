@@ -10,14 +10,14 @@ from typing import Annotated
 
 from msgspec import Meta
 
-from reference.formats.files import MOST_CHARACTERS
-from reference.world import NumberError
+from reference.world import LevelError
 
-MOST_DENOMINATOR = 10**1000
+MOST_LONG = 400
+MOST_DIGITS = 100
 NUMBER = re.compile(r"[+-]?[0-9]+(/[0-9]+|\.[0-9]+)?")
 
 Text = Annotated[
-    str, Meta(extra_json_schema={"pattern": rf"^{NUMBER.pattern}$", "maxLength": MOST_CHARACTERS, "examples": ["3/2"]})
+    str, Meta(extra_json_schema={"pattern": rf"^{NUMBER.pattern}$", "maxLength": MOST_LONG, "examples": ["3/2"]})
 ]
 Number = Text | int | float
 
@@ -26,19 +26,19 @@ def exact(value: str | int | float, place: str) -> Fraction:
     """The exact value of a number in a file.
 
     Raises:
-        NumberError: if it is no number, or has too many digits.
+        LevelError: if it is no number, or has too many digits.
     """
-    if isinstance(value, int) and abs(value) >= 10**MOST_CHARACTERS:
-        raise NumberError(place, f"expected at most {MOST_CHARACTERS} digits")
+    if isinstance(value, int) and abs(value) >= 10**MOST_LONG:
+        raise LevelError(place, f"expected at most {MOST_LONG} digits")
     if isinstance(value, str):
-        if len(value) > MOST_CHARACTERS:
-            raise NumberError(place, f"expected at most {MOST_CHARACTERS} characters, got {len(value)}")
+        if len(value) > MOST_LONG:
+            raise LevelError(place, f"expected at most {MOST_LONG} characters, got {len(value)}")
         if not NUMBER.fullmatch(value):
-            raise NumberError(place, f'expected a number such as 2, "3/2" or "0.25", got {value!r}')
+            raise LevelError(place, f'expected a number such as 2, "3/2" or "0.25", got {value!r}')
     try:
         return Fraction(value)
     except (ValueError, OverflowError, ZeroDivisionError):
-        raise NumberError(place, f"expected a finite number, got {value!r}") from None
+        raise LevelError(place, f"expected a finite number, got {value!r}") from None
 
 
 def number_text(value: Fraction | float) -> str | float:
@@ -46,14 +46,18 @@ def number_text(value: Fraction | float) -> str | float:
     return str(value) if isinstance(value, Fraction) else value
 
 
-def check_denominators(numbers: Iterable[tuple[str, Fraction]]) -> None:
-    """Refuse numbers, each with its place, of which the sums would have denominators without bound.
+def check_sums(numbers: Iterable[tuple[str, Iterable[Fraction]]]) -> None:
+    """Refuse numbers, given with their places, of which the sums would not fit into a file again.
 
     Raises:
-        NumberError: at the first that makes their least common denominator too large.
+        LevelError: at the first that is too large or makes their least common denominator too large.
     """
-    common = 1
-    for place, number in numbers:
-        common = lcm(common, number.denominator)
-        if common > MOST_DENOMINATOR:
-            raise NumberError(place, "expected numbers whose common denominator has at most 1000 digits")
+    common, most = 1, 10**MOST_DIGITS
+    for place, here in numbers:
+        for number in here:
+            common = lcm(common, number.denominator)
+            if abs(number) >= most:
+                raise LevelError(place, f"expected numbers with at most {MOST_DIGITS} digits before the point")
+            if common >= most:
+                expected = f"expected numbers whose common denominator has at most {MOST_DIGITS} digits"
+                raise LevelError(place, expected)

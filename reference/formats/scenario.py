@@ -7,44 +7,49 @@ from typing import Annotated, Literal
 
 from msgspec import Meta
 
-from reference.formats.files import MOST_ITEMS, FormatError, Many, Name, Record, read
+from reference.formats.files import MOST_ITEMS, FormatError, Many, Name, Record, read, says
 from reference.formats.level import LevelRecord
 from reference.formats.numbers import Number
+from spec.profiles import PROFILES
 
 Times = Annotated[int, Meta(ge=1, le=MOST_ITEMS)]
+ProfileName = Annotated[str, Meta(extra_json_schema={"enum": list(PROFILES)})]
+FileName = Annotated[str, Meta(min_length=1, max_length=255)]
 
 
 class RequestRecord(Record, frozen=True):
-    """A request: a body is to move by a distance, negative to the left."""
+    """A request: a body is to move by a distance."""
 
-    body: Name
-    distance: Number
+    body: Annotated[Name, says("who is to move")]
+    distance: Annotated[Number, says("how far, along the graph, in units of length; negative to the left")]
 
 
 class TickRecord(Record, frozen=True):
-    """Ticks with one key held: in each, every character is asked to move by its speed times the tick."""
+    """Ticks with one key held: in each, every character in turn is asked to move by its speed times the tick."""
 
-    key: Literal["left", "right"]
-    times: Times = 1
+    key: Annotated[Literal["left", "right"], says("the key that is held")]
+    times: Annotated[Times, says("for how many ticks; 1 in a trace, where each tick is a step of its own")] = 1
 
 
 class StepRecord(Record, frozen=True):
-    """One step of a scenario: either a request or ticks."""
+    """One step of a scenario. Either `request` or `tick` is given."""
 
-    request: RequestRecord | None = None
-    tick: TickRecord | None = None
+    request: Annotated[RequestRecord | None, says("a body is to move by a distance")] = None
+    tick: Annotated[TickRecord | None, says("a key is held")] = None
 
 
 class ScenarioRecord(Record, frozen=True):
-    """A scenario: a level, in the file or beside it, a profile and steps; `solved`: whether they reach its goal."""
+    """A scenario: a level and what is asked of its bodies, step by step."""
 
-    format: Literal["graphbody/scenario@1"]
-    name: Name
-    level: str | LevelRecord
-    steps: Many[StepRecord]
-    profile: str = "thesis"
-    solved: bool | None = None
-    note: str = ""
+    format: Annotated[Literal["graphbody/scenario@1"], says("what the file is, and the version of its format")]
+    name: Annotated[Name, says("the name of the scenario")]
+    level: Annotated[FileName | LevelRecord, says("the level, or the name of a level file, from this file's folder on")]
+    steps: Annotated[Many[StepRecord], says("what is asked, one after another; at most 100000 requests and ticks")]
+    profile: Annotated[ProfileName, says("the profile whose rules hold")] = "thesis"
+    solved: Annotated[bool | None, says("whether the steps reach the level's goal; if left out, nothing is said")] = (
+        None
+    )
+    note: Annotated[str, says("what the scenario is there for; nothing depends on it")] = ""
 
 
 def check_step(asked: StepRecord, where: str) -> None:
@@ -64,8 +69,12 @@ def read_scenario(path: Path) -> tuple[ScenarioRecord, LevelRecord]:
         FormatError: if either cannot be read.
     """
     scenario = read(path, ScenarioRecord)
+    asked = 0
     for i, step in enumerate(scenario.steps):
         check_step(step, f"{path}: $.steps[{i}]")
+        asked += 1 if step.tick is None else step.tick.times
+        if asked > MOST_ITEMS:
+            raise FormatError(f"{path}: $.steps[{i}]: expected at most {MOST_ITEMS} requests and ticks in all")
     if isinstance(scenario.level, LevelRecord):
         return scenario, scenario.level
     return scenario, read(path.parent / scenario.level, LevelRecord)

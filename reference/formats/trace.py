@@ -2,78 +2,131 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from fractions import Fraction
 from typing import Annotated, Literal
 
 from msgspec import Meta
 
-from reference.formats.files import Many, Name, Record
-from reference.formats.level import LevelRecord, Position
-from reference.formats.numbers import Number
-from reference.formats.scenario import RequestRecord, TickRecord
+from reference.formats.files import Many, Name, Record, says
+from reference.formats.level import LevelRecord, Position, Tops, position_of
+from reference.formats.numbers import Number, check_sums, exact
+from reference.formats.scenario import ProfileName, RequestRecord, TickRecord
+from reference.world import LevelError
 
 Count = Annotated[int, Meta(ge=1)]
+ASIDE = "; not judged"
 
 
 class HeaderRecord(Record, frozen=True):
-    """The first line of a trace: the level at its start, and what its numbers are.
+    """The first line of a trace: the level as it was at the start, and what the numbers are."""
 
-    `numbers` says how the program that wrote the trace computes. With a `grid` every number is a whole multiple of it,
-    small enough that nothing is ever rounded; then the trace is judged to the bit.
-    """
-
-    format: Literal["graphbody/trace@1"]
-    name: Name
-    profile: str
-    numbers: Literal["exact", "float64", "float32"]
-    level: LevelRecord
-    grid: Number | None = None
-    made_by: str = ""
-    note: str = ""
+    format: Annotated[Literal["graphbody/trace@1"], says("what the file is, and the version of its format")]
+    name: Annotated[Name, says("the name of the trace, often that of the scenario that was played")]
+    profile: Annotated[ProfileName, says("the profile whose rules the trace follows")]
+    numbers: Annotated[
+        Literal["exact", "float64", "float32"],
+        says("how the program that wrote the trace computes: exactly or in floats"),
+    ]
+    level: Annotated[LevelRecord, says("the level, with the bodies where they start")]
+    grid: Annotated[
+        Number | None,
+        says("every number is a whole multiple of this, small enough that nothing is rounded; judged to the bit"),
+    ] = None
+    made_by: Annotated[str, says("the program that wrote the trace, and its version" + ASIDE)] = ""
+    note: Annotated[str, says("what the trace shows" + ASIDE)] = ""
 
 
 class MoveRecord(Record, frozen=True):
-    """One request as it was fulfilled: what was asked and moved, and the rules that fired, each with its body.
+    """One request as it was fulfilled. A tick has one for each character, in turn."""
 
-    `chain` is how many bodies requests went through; `work` counts what it took. Neither is judged.
-    """
-
-    body: Name
-    asked: Number
-    moved: Number
-    fired: Many[tuple[Name, str]] | None = None
-    chain: Count | None = None
-    work: dict[str, int] | None = None
+    body: Annotated[Name, says("who was to move")]
+    asked: Annotated[Number, says("how far, in units of length; negative to the left")]
+    moved: Annotated[Number, says("how far it moved, in units of length; negative to the left")]
+    fired: Annotated[
+        list[tuple[Name, str]] | None,
+        says("the IDs of the rules that fired, in order, each after the body that it moved"),
+    ] = None
+    chain: Annotated[Count | None, says("how many bodies the request went through" + ASIDE)] = None
+    work: Annotated[dict[str, int] | None, says("counts of what it took" + ASIDE)] = None
 
 
 class EventRecord(Record, frozen=True):
-    """What happened to a body in a step, in one word, and the rule by which it did."""
+    """What happened to a body in a step, beyond moving and staying."""
 
-    body: Name
-    event: str
-    rule: str
+    body: Annotated[Name, says("to whom")]
+    event: Annotated[str, says("what, in one word")]
+    rule: Annotated[str, says("the ID of the rule by which it did")]
 
 
 class PlaceRecord(Record, frozen=True):
     """Where a body is after a step."""
 
-    name: Name
-    left: Position
-    right: Position
+    name: Annotated[Name, says("whose place it is")]
+    left: Annotated[Position, says("where its left border is")]
+    right: Annotated[Position, says("where its right border is")]
 
 
 class LineRecord(Record, frozen=True, kw_only=True):
-    """Any other line of a trace: a request or a tick, and the state after it; what else it says is checked too.
+    """Any other line of a trace: a step and the state after it. Either `request` or `tick` is given.
 
-    `supports` names for each body that stands on another the one it stands on; `pressed` says of each button whether it
-    is, and `solved` whether all are.
+    What is left out is not judged.
     """
 
-    step: Count | None = None
-    request: RequestRecord | None = None
-    tick: TickRecord | None = None
-    moves: Many[MoveRecord] | None = None
-    events: Many[EventRecord] | None = None
-    bodies: Many[PlaceRecord]
-    supports: dict[Name, Name] | None = None
-    pressed: Many[bool] | None = None
-    solved: bool | None = None
+    step: Annotated[Count | None, says("the number of the step, counted from 1")] = None
+    request: Annotated[RequestRecord | None, says("a body was to move by a distance")] = None
+    tick: Annotated[TickRecord | None, says("a key was held")] = None
+    moves: Annotated[Many[MoveRecord] | None, says("the requests as they were fulfilled, in order")] = None
+    events: Annotated[list[EventRecord] | None, says("what happened, in order")] = None
+    bodies: Annotated[Many[PlaceRecord], says("where all bodies of the level are after the step")]
+    supports: Annotated[
+        dict[Name, Name] | None, says("after the step, for each body that stands on another, that other's name")
+    ] = None
+    pressed: Annotated[Many[bool] | None, says("after the step, for each button, whether it is pressed")] = None
+    solved: Annotated[bool | None, says("after the step, whether all buttons are pressed")] = None
+
+
+def check_line(line: LineRecord, tops: Tops) -> None:
+    """Refuse a line that is not about the bodies and edges of the header's level.
+
+    Raises:
+        LevelError: with the place in the line.
+    """
+    seen: set[str] = set()
+    for i, place in enumerate(line.bodies):
+        check_name(place.name, tops, f"$.bodies[{i}].name")
+        if place.name in seen:
+            raise LevelError(f"$.bodies[{i}].name", f"expected each body once, got {place.name!r} again")
+        seen.add(place.name)
+    check_sums(locations_of(line, tops))
+    for name in tops.edges:
+        if name not in seen:
+            raise LevelError("$.bodies", f"expected the place of every body, got none of {name!r}")
+    if line.request is not None:
+        check_name(line.request.body, tops, "$.request.body")
+        exact(line.request.distance, "$.request.distance")
+    check_said(line, tops)
+
+
+def locations_of(line: LineRecord, tops: Tops) -> Iterator[tuple[str, tuple[Fraction, Fraction]]]:
+    """Where the borders of the bodies are along their edges, with their places in the line."""
+    for i, place in enumerate(line.bodies):
+        left = position_of(place.left, tops, f"$.bodies[{i}].left")
+        right = position_of(place.right, tops, f"$.bodies[{i}].right")
+        yield f"$.bodies[{i}]", (left.location, right.location)
+
+
+def check_said(line: LineRecord, tops: Tops) -> None:
+    """Refuse moves and events of bodies that are not there, and moves without numbers."""
+    for i, move in enumerate(line.moves or ()):
+        check_name(move.body, tops, f"$.moves[{i}].body")
+        exact(move.asked, f"$.moves[{i}].asked")
+        exact(move.moved, f"$.moves[{i}].moved")
+    for i, event in enumerate(line.events or ()):
+        check_name(event.body, tops, f"$.events[{i}].body")
+
+
+def check_name(name: str, tops: Tops, place: str) -> None:
+    """Refuse the name of no body of the level."""
+    if name not in tops.edges:
+        raise LevelError(place, f"no body is named {name!r}")
