@@ -130,12 +130,11 @@ def steps(game: Game[Any], asked: list[StepRecord], floats: bool, path: Path) ->
     Raises:
         FormatError: if a step takes more rules than any is allowed to.
     """
-    number = 0
-    try:
-        for number, step in enumerate(asked):
+    for number, step in enumerate(asked):
+        try:
             yield from ticks(game, step, floats)
-    except Endless as error:
-        raise FormatError(f"{path}: $.steps[{number}]: {error}") from None
+        except Endless as error:
+            raise FormatError(f"{path}: $.steps[{number}]: {error}") from None
 
 
 def ticks(game: Game[Any], step: StepRecord, floats: bool) -> Iterator[Played[Any]]:

@@ -528,9 +528,7 @@ def check_supports(level: Level[N]) -> None:
 
 def check_overhang(world: World[N], body: int) -> None:
     """Refuse a border beyond the end of its edge where there is no ledge, and a body wholly beyond it."""
-    zero, place, held = zero_like(world.margin), f"$.bodies[{body}]", world.bodies[body]
-    if world.row_of_edge[held.left.edge] is not world.row_of_edge[held.right.edge]:
-        raise LevelError(f"{place}.right.edge", f"expected an edge that ground joins to edge {held.left.edge}")
+    zero, place = zero_like(world.margin), f"$.bodies[{body}]"
     for direction in Direction:
         view = world.facing(direction)
         for side, at in (("front", view.front(body)), ("rear", view.rear(body))):
@@ -546,15 +544,28 @@ def standing(level: Level[N]) -> World[N]:
     Raises:
         LevelError: if a body has no width, or stands on nothing.
     """
+    world = laid_out(level)
+    check_widths(world)
+    return world
+
+
+def laid_out(level: Level[N]) -> World[N]:
+    """The world of a level whose bodies have both borders on one string of edges each."""
     check_borders(level)
     check_supports(level)
     world = World(level)
     for body, held in enumerate(level.bodies):
         if world.row_of_edge[held.left.edge] is not world.row_of_edge[held.right.edge]:
-            raise LevelError(f"$.bodies[{body}].right", "expected both borders on the same string of ground edges")
-        if world.width(body) <= zero_like(level.margin):
-            raise LevelError(f"$.bodies[{body}]", LEFT_OF_RIGHT)
+            expected = f"expected an edge that ground joins to edge {held.left.edge}"
+            raise LevelError(f"$.bodies[{body}].right.edge", expected)
     return world
+
+
+def check_widths(world: World[N]) -> None:
+    """Refuse a body whose left border is not left of its right border."""
+    for body in world.handles():
+        if world.width(body) <= zero_like(world.margin):
+            raise LevelError(f"$.bodies[{body}]", LEFT_OF_RIGHT)
 
 
 def world_of(level: Level[N]) -> World[N]:
@@ -563,9 +574,10 @@ def world_of(level: Level[N]) -> World[N]:
     Raises:
         LevelError: if its bodies do not lie on its strings of edges, margin by margin.
     """
-    world = standing(level)
+    world = laid_out(level)
     for body in world.handles():
         check_overhang(world, body)
+    check_widths(world)
     for row in world.rows:
         if row.closed and row.free is not None and row.free < zero_like(level.margin):
             raise LevelError("$.bodies", f"the bodies are wider than the ring by {row.free * -1}")
