@@ -76,7 +76,7 @@ def test_a_scenario_of_the_library_does_the_same_in_floats(path):
         (["margin"], "1" * 1000, r"\$\.margin: expected at most 400 characters"),
         (["margin"], [], r"\$\.margin: Expected"),
         (["surprise"], 1, r"\$: Object contains unknown field `surprise`"),
-        (["format"], "graphbody/level@9", r"\$\.format: Invalid enum value"),
+        (["format"], "graphbody/level@9", r"\$\.format: expected graphbody/level@1, got 'graphbody/level@9'"),
         (["vertices"], [[0, 0]], r"\$\.vertices: expected two vertices or more"),
         (["vertices", 1], ["-1", "0"], r"\$\.vertices\[1\]: expected x of 0 or more"),
         (["vertices", 1], ["0", "0"], r"\$\.vertices\[0\]: edge 0 has no length"),

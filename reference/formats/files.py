@@ -5,15 +5,16 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Annotated, TypeVar
+from typing import Annotated, Any, TypeVar
 
 import msgspec
-from msgspec import Meta
+from msgspec import Meta, inspect
 
 MOST_BYTES = 64 * 2**20
 MOST_ITEMS = 100_000
 MOST_CHARACTERS = 100
 MOST_SHOWN = 1000
+WORD = "Invalid enum value "
 PLACE = re.compile(r"(?P<problem>.*) - at `(?P<place>\$.*)`", re.DOTALL)
 
 T = TypeVar("T")
@@ -54,11 +55,36 @@ def decode(content: bytes, kind: type[T], where: str) -> T:
     except msgspec.ValidationError as error:
         found = PLACE.fullmatch(str(error))
         place, problem = (found["place"], found["problem"]) if found else ("$", str(error))
+        if problem.startswith(WORD):
+            problem = f"expected {' or '.join(permitted(kind, place))}, got {problem.removeprefix(WORD)}"
         raise FormatError(one_line(f"{where}: {place}: {problem}")) from None
     except RecursionError:
         raise FormatError(one_line(f"{where}: $: expected arrays and objects that are nested less deeply")) from None
     except (msgspec.DecodeError, UnicodeError) as error:
         raise FormatError(one_line(f"{where}: not JSON: {error}")) from None
+
+
+def permitted(kind: type[Any], place: str) -> list[str]:
+    """The words that are permitted at a place in a document."""
+    nodes = list(plain(inspect.type_info(kind)))
+    for name, item in re.findall(r"\.(\w+)|(\[)", place):
+        if item:
+            nodes = [inner for node in nodes if isinstance(node, inspect.ListType) for inner in plain(node.item_type)]
+        else:
+            fields = [field for node in nodes if isinstance(node, inspect.StructType) for field in node.fields]
+            nodes = [inner for field in fields if field.name == name for inner in plain(field.type)]
+    return [str(word) for node in nodes if isinstance(node, inspect.LiteralType) for word in node.values]
+
+
+def plain(node: inspect.Type) -> Iterator[inspect.Type]:
+    """What a type may be, without what is said about it."""
+    if isinstance(node, inspect.Metadata):
+        yield from plain(node.type)
+    elif isinstance(node, inspect.UnionType):
+        for choice in node.types:
+            yield from plain(choice)
+    else:
+        yield node
 
 
 def read(path: Path, kind: type[T]) -> T:
