@@ -526,7 +526,8 @@ def check_overhang(world: World[N], body: int) -> None:
     zero, place, held = zero_like(world.margin), f"$.bodies[{body}]", world.bodies[body]
     if world.row_of_edge[held.left.edge] is not world.row_of_edge[held.right.edge]:
         raise LevelError(f"{place}.right.edge", f"expected an edge that ground joins to edge {held.left.edge}")
-    for direction in Direction:
+    overhangs = any(distance < zero for distance in world.off_graph(body))
+    for direction in Direction if overhangs else ():
         view = world.facing(direction)
         for side, at in (("front", view.front(body)), ("rear", view.rear(body))):
             if view.reach(at) < zero and (side == "rear" or not view.beyond(at).ledge):
