@@ -101,7 +101,10 @@ def borders_of(place: PlaceRecord) -> dict[str, Any]:
 
 def position(at: Position) -> dict[str, Any]:
     """An edge position: a static edge or the top of a body, and how far along it."""
-    on = {"tag": "Edge", "value": whole(at.edge)} if at.edge is not None else {"tag": "Top", "value": at.top}
+    if at.edge is not None:
+        on = {"tag": "Edge", "value": {"number": whole(at.edge)}}
+    else:
+        on = {"tag": "Top", "value": {"body": at.top}}
     return {"on": on, "location": rational(at.location)}
 
 

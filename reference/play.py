@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
@@ -25,7 +24,6 @@ from spec.profiles import PROFILES, Profile
 from spec.transform import in_floats
 
 LIBRARY = Path(__file__).parent
-LARGEST_FLOAT = Fraction(sys.float_info.max)
 
 
 @dataclass(frozen=True)
@@ -105,12 +103,20 @@ def set_up(scenario: ScenarioRecord, level: LevelRecord, floats: bool) -> Game[A
     distances = list(distances_of(scenario, held))
     asked = ((place, (distance,)) for place, distance in distances)
     check_sums(chain(numbers_of(held), distances_per_tick(held), asked))
-    if floats and any(abs(distance) > LARGEST_FLOAT for _, distance in distances):
-        raise LevelError("$.steps", "expected distances that fit into a float")
-    try:
-        return Game(profile, in_floats(held) if floats else held)
-    except OverflowError:
-        raise LevelError("$.level", "expected numbers that fit into a float") from None
+    return Game(profile, rounded(held) if floats else held)
+
+
+def rounded(level: Level[Any]) -> Level[float]:
+    """A level in floats.
+
+    Raises:
+        LevelError: if floats do not tell the borders of a body apart.
+    """
+    binary = in_floats(level)
+    for i, body in enumerate(binary.bodies):
+        if body.left == body.right:
+            raise LevelError(f"$.level.bodies[{i}]", "expected borders that floats tell apart")
+    return binary
 
 
 def distances_of(scenario: ScenarioRecord, level: Level[Any]) -> Iterator[tuple[str, Fraction]]:

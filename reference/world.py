@@ -529,7 +529,8 @@ def check_supports(level: Level[N]) -> None:
 def check_overhang(world: World[N], body: int) -> None:
     """Refuse a border beyond the end of its edge where there is no ledge, and a body wholly beyond it."""
     zero, place = zero_like(world.margin), f"$.bodies[{body}]"
-    for direction in Direction:
+    overhangs = any(distance < zero for distance in world.off_graph(body))
+    for direction in Direction if overhangs else ():
         view = world.facing(direction)
         for side, at in (("front", view.front(body)), ("rear", view.rear(body))):
             if view.reach(at) < zero and (side == "rear" or not view.beyond(at).ledge):

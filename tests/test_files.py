@@ -126,6 +126,15 @@ def test_a_bad_scenario_is_refused_in_one_line(tmp_path, scenario, floats):
     assert "\n" not in str(caught.value)
 
 
+def test_borders_that_floats_do_not_tell_apart_are_refused_in_floats(tmp_path):
+    level = changed(["bodies", 0, "right", "location"], "1." + "0" * 30 + "1")
+    path = tmp_path / "level.json"
+    path.write_text(json.dumps(level))
+    play(path)
+    with pytest.raises(FormatError, match=r"level.json: \$\.bodies\[0\]: expected borders that floats tell apart"):
+        play(path, floats=True)
+
+
 def test_bodies_wider_than_their_ring_are_refused(tmp_path):
     level = {**GOOD, "circumference": "20", "vertices": [["0", "0"], ["10", "0"]]}
     level["bodies"] = [

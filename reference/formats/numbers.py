@@ -55,8 +55,9 @@ def check_sums(numbers: Iterable[tuple[str, Iterable[Fraction]]]) -> None:
     common, most = 1, 10**MOST_DIGITS
     for place, here in numbers:
         for number in here:
-            common = lcm(common, number.denominator)
-            if abs(number) >= most:
+            above, below = number.as_integer_ratio()
+            common = lcm(common, below)
+            if abs(above) >= most * below:
                 raise LevelError(place, f"expected numbers with at most {MOST_DIGITS} digits before the point")
             if common >= most:
                 expected = f"expected numbers whose common denominator has at most {MOST_DIGITS} digits"
