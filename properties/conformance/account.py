@@ -4,67 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Literal
 
 import msgspec
 
 from properties.conformance.diagnosis import Conjunct, Diagnosis
 from properties.conformance.judge import Finding
+from properties.conformance.record import ConjunctRecord, TroubleRecord, ValidationRecord
 from properties.conformance.validate import Report, Trouble
 from properties.evidence.files import BUILD
 from reference.formats.files import write
-from reference.formats.scenario import ScenarioRecord
 from spec.registry import statements
 
 DIVERGENCES = BUILD / "divergences"
-
-
-class ConjunctRecord(msgspec.Struct, frozen=True):
-    """A conjunct of a guard, and whether it held."""
-
-    name: str
-    holds: bool
-
-
-class TroubleRecord(msgspec.Struct, frozen=True, omit_defaults=True):
-    """The first step that diverges: where, what was expected and seen, by which rule, and what replays it.
-
-    `instead` is a rule with which the log would be right; `profiles` are those under which it would be.
-    """
-
-    line: int
-    finding: str
-    body: str
-    field: str
-    expected: str
-    seen: str
-    rule: str | None = None
-    guard: list[ConjunctRecord] = []
-    instead: str | None = None
-    instead_guard: list[ConjunctRecord] = []
-    profiles: list[str] = []
-    scenario: ScenarioRecord | None = None
-    replay: str | None = None
-
-
-class ValidationRecord(msgspec.Struct, frozen=True, omit_defaults=True):
-    """What was found in one log: how many steps were found to be what, and the first that diverges.
-
-    `broken` names for each invariant that the log breaks the first line where it does; `invalid` is the line and the
-    place of a state that no body can be in.
-    """
-
-    format: Literal["graphbody/validation@1"]
-    log: str
-    profile: str
-    conforms: bool
-    agrees: int
-    one_of_several: int
-    ambiguous: int
-    diverges: int
-    first: TroubleRecord | None = None
-    broken: dict[str, int] = {}
-    invalid: str | None = None
 
 
 def write_divergence(report: Report) -> Path | None:

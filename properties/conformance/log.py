@@ -18,7 +18,7 @@ from spec.profiles import Profile
 
 ROUNDINGS = 16
 UNIT_ROUNDOFF = {"exact": Fraction(0), "float64": Fraction(1, 2**53), "float32": Fraction(1, 2**24)}
-LARGEST_ON_GRID = 2**24
+ON_GRID = {"exact": 2**53, "float64": 2**53, "float32": 2**24}
 
 
 Numbers = tuple[str, tuple[Fraction, ...]]
@@ -69,21 +69,22 @@ def largest(level: Level[Fraction]) -> Fraction:
     return size
 
 
-def check_grid(grid: Fraction, numbers: Iterator[Numbers]) -> None:
-    """Refuse numbers that are not on a grid, or so large that a small float could not hold them.
+def check_grid(grid: Fraction, most: Fraction, numbers: Iterator[Numbers]) -> None:
+    """Refuse numbers that are not on a grid, or too large for floats to hold them and their sums exactly.
 
     Raises:
         LevelError: with the place of the first.
     """
-    most = LARGEST_ON_GRID * grid
     for place, here in numbers:
         for number in here:
             if (number / grid).denominator != 1 or abs(number) >= most:
                 raise LevelError(place, f"expected a multiple of the grid {grid}, below {most}, got {number}")
 
 
-def grid_of(log: Recording) -> Fraction | None:
-    """The grid of a log, if it has one. No edge may slope: points on it would not be on the grid.
+def grid_of(log: Recording) -> tuple[Fraction, Fraction] | None:
+    """The grid of a log, if it has one, and what numbers on it must be below.
+
+    No edge may slope: points on it would not be on the grid.
 
     Raises:
         LevelError: with the place of the first number that is not on it.
@@ -96,9 +97,10 @@ def grid_of(log: Recording) -> Fraction | None:
     for i, edge in enumerate(level.graph.edges):
         if edge.run != 0 and edge.rise != 0:
             raise LevelError(f"$.level.edges[{i}]", "on a grid expected an edge that is level or vertical")
-    check_grid(grid, (("$.level" + place[1:], here) for place, here in numbers_of(level)))
-    check_grid(grid, iter([("$.level", (largest(level),))]))
-    return grid
+    most = grid * ON_GRID[log.header.numbers]
+    check_grid(grid, most, (("$.level" + place[1:], here) for place, here in numbers_of(level)))
+    check_grid(grid, most, iter([("$.level", (largest(level),))]))
+    return grid, most
 
 
 def numbers_of_step(asked: tuple[Request, ...], after: World[Fraction]) -> Iterator[Numbers]:

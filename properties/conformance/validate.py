@@ -123,7 +123,7 @@ def steps_of(path: Path, log: Recording) -> Iterator[Step]:
         for number, line in enumerate(log.lines, start=2):
             asked, after = requests_of(log.level, log.profile, line), world_after(log, line, f"{path}:{number}")
             if grid is not None:
-                check_grid(grid, numbers_of_step(asked, after))
+                check_grid(*grid, numbers_of_step(asked, after))
             yield Step(number, state, asked, line, after)
             state = after
     except LevelError as error:
