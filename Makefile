@@ -46,6 +46,15 @@ test: $(READY) ## run the tests
 mutants: $(READY) ## show that the properties catch deliberately broken rules
 	@$(BIN)/graphbody mutants
 
+.PHONY: docs
+docs: $(READY) ## write the reference and the tables of formats anew, from the last check and check-long
+	@$(BIN)/graphbody handbook docs
+
+.PHONY: docs-check
+docs-check: docs ## fail if that has changed anything
+	@git diff --stat --exit-code -- docs
+	@test -z "$$(git status --porcelain -- docs)" || { git status --short -- docs; exit 1; }
+
 .PHONY: lint
 lint: $(READY) ## check style, formatting, types and the layering of the packages
 	@$(BIN)/ruff check .

@@ -7,6 +7,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from inspect import cleandoc, getmodule
+from itertools import groupby
 from pathlib import Path
 from shutil import copyfile, rmtree
 
@@ -96,8 +98,10 @@ def write_handbook(docs: Path) -> int:
     for page in PAGES:
         entries = [one for one in table.values() if one.kind in page.kinds]
         lines = [f"# {page.title}", "", page.about, "", MADE, ""]
-        for one in entries:
-            lines += entry(one, shown, to)
+        for chapter, some in groupby(entries, chapter_of):
+            lines += [chapter, ""] if chapter else []
+            for one in some:
+                lines += entry(one, shown, to)
         (to / page.file).write_text("\n".join(lines) + "\n")
     (to / "README.md").write_text("\n".join(index(table)) + "\n")
     formats = docs / "formats.md"
@@ -106,6 +110,12 @@ def write_handbook(docs: Path) -> int:
 
 
 MADE = "Made from the registry by `make docs`; the code is normative."
+
+
+def chapter_of(one: Statement) -> str:
+    """What the chapter of a rule says of itself; empty for what has no chapter."""
+    module = getmodule(one.effect) if isinstance(one, Rule) else None
+    return "" if module is None else cleandoc(module.__doc__ or "")
 
 
 def index(table: dict[str, Statement]) -> Iterator[str]:
@@ -120,9 +130,9 @@ def index(table: dict[str, Statement]) -> Iterator[str]:
 
 def entry(one: Statement, shown: dict[str, ClaimResult], to: Path) -> Iterator[str]:
     """The entry of a statement: heading, sentence, verdict, facts, picture."""
-    yield from (f'<a id="{slug(one.id)}"></a>', f"## {one.id}", "", one.sentence, "")
+    yield from (f'<a id="{slug(one.id)}"></a>', "", f"## {one.id}", "", one.sentence, "")
     if isinstance(one, Claim):
-        yield from (f"- **verdict**: {verdict(shown[one.id])}",)
+        yield f"- **verdict: {verdict(shown[one.id])}**"
     for fact in facts(one):
         yield f"- {fact.label}: " + (f"`{fact.text}`" if fact.code else linked(fact))
     yield from ("", *picture(one, shown, to))

@@ -7,6 +7,7 @@ from typing import Any
 
 import msgspec
 
+from properties.conformance.record import ValidationRecord
 from properties.results import Results
 from reference.formats.level import LevelRecord
 from reference.formats.scenario import ScenarioRecord
@@ -29,6 +30,7 @@ KINDS = {
     "trace": Kind(
         "JSON lines: a header with the level, then each step with the state after it", (HeaderRecord, LineRecord)
     ),
+    "validation": Kind("what `graphbody validate --json` found in a trace, one line each", (ValidationRecord,)),
     "results": Kind("what a run of the check showed, claim by claim", (Results,)),
 }
 

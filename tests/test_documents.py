@@ -11,7 +11,7 @@ from properties.explain import find
 
 ROOT = Path(__file__).parents[1]
 GRAPHBODY = str(Path(sys.executable).parent / "graphbody")
-DOCUMENTS = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", ROOT / "docs" / "proofs.md", ROOT / "docs" / "formats.md"]
+DOCUMENTS = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").rglob("*.md"))]
 
 
 def test_the_scenario_in_the_readme_does_what_the_readme_says(tmp_path):

@@ -14,6 +14,9 @@ from typer.testing import CliRunner
 
 from properties.claims.claim import Verdict
 from properties.cli import app
+from properties.conformance.log import ROUNDINGS
+from properties.conformance.validate import MOST_IN_PLANE
+from properties.conformance.ways import MOST_OUTCOMES, MOST_WAYS
 from properties.pages import with_tables
 from properties.results import ClaimResult, Results
 from properties.schemas import KINDS, schema
@@ -59,7 +62,7 @@ def test_the_kinds_of_files_are_listed_and_another_kind_is_refused():
     assert [line.split()[0] for line in listed] == list(KINDS)
     done = graphbody("schema", "levle")
     assert (done.exit_code, done.stdout) == (2, "")
-    assert done.stderr == "graphbody: expected one of level, scenario, trace, results, got 'levle'\n"
+    assert done.stderr == "graphbody: expected one of level, scenario, trace, validation, results, got 'levle'\n"
 
 
 def test_a_schema_is_printed_without_the_solver():
@@ -204,6 +207,22 @@ def test_the_trace_on_the_page_is_that_of_the_scenario_in_floats():
         for place, body in zip(line.bodies, step.bodies, strict=True):
             assert (place.left.edge, place.right.edge) == (body.left.edge, body.right.edge)
             assert (place.left.location, place.right.location) == (body.left.location, body.right.location)
+
+
+@pytest.mark.usefixtures("examples")
+def test_the_trace_on_the_page_conforms_and_the_wrong_one_is_told_as_the_page_says():
+    assert graphbody("validate", "trace.jsonl").exit_code == 0
+    trace = Path("trace.jsonl").read_text()
+    right = '"left": {"edge": 2, "location": 0.0}, "right": {"edge": 2, "location": 1.0}'
+    wrong = '"left": {"edge": 2, "location": 0.5}, "right": {"edge": 2, "location": 1.5}'
+    Path("trace.jsonl").write_text(trace.replace(right, wrong))
+    done = graphbody("validate", "trace.jsonl")
+    assert done.exit_code == 1
+    assert "".join(f"    {line}\n" for line in done.stdout.splitlines()) in PAGE.read_text()
+    page = " ".join(PAGE.read_text().split())
+    assert f"({MOST_WAYS} ways for a request, {MOST_OUTCOMES} outcomes)" in page
+    assert f"Else it is {ROUNDINGS} roundings" in page
+    assert f"with up to {MOST_IN_PLANE} bodies" in page
 
 
 @pytest.mark.usefixtures("examples")

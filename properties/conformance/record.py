@@ -29,9 +29,7 @@ class TroubleRecord(Record, frozen=True, kw_only=True):
     instead: Annotated[str | None, says("the ID of a rule with which the trace would be right")] = None
     instead_guard: Annotated[list[ConjunctRecord], says("the guard of that rule")] = []  # noqa: RUF012
     profiles: Annotated[list[str], says("other profiles under which the step would be right")] = []  # noqa: RUF012
-    scenario: Annotated[ScenarioRecord | None, says("the smallest scenario found in which the rules do the same")] = (
-        None
-    )
+    scenario: Annotated[ScenarioRecord | None, says("a smallest scenario that shows what the rules do")] = None
     replay: Annotated[str | None, says("the command that plays that scenario")] = None
 
 
