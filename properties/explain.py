@@ -84,6 +84,11 @@ class Firing:
     body: str
     move: Fulfilled[Any]
 
+    @property
+    def rank(self) -> tuple[bool, int]:
+        """Figures of the thesis come first, then the shorter ones."""
+        return not self.path.stem.startswith("figure"), len(self.move.fired)
+
 
 def explain(statement: Statement) -> Iterator[str]:
     """All about a statement, as lines of text."""
@@ -133,14 +138,15 @@ def of_rule(rule: Rule[Any, Any]) -> Iterator[Fact]:
 
 @cache
 def firings() -> dict[str, Firing]:
-    """For each rule the shortest request of the library in which it fires."""
+    """For each rule the shortest request of the library in which it fires, of a figure of the thesis if there is one."""
     found: dict[str, Firing] = {}
     for path in library():
         for number, step in enumerate(play(path).steps, start=1):
             for move in step.moves:
                 for body, rule in move.fired:
-                    if rule not in found or len(move.fired) < len(found[rule].move.fired):
-                        found[rule] = Firing(path, number, body, move)
+                    firing = Firing(path, number, body, move)
+                    if rule not in found or firing.rank < found[rule].rank:
+                        found[rule] = firing
     return found
 
 
