@@ -158,7 +158,9 @@ def validate(
             continue
         replay = write_divergence(report)
         print(json_line(report, replay) if as_json else "\n".join(account(report, replay)))
-        status = max(status, 0 if report.conforms else 1)
+        if report.unread is not None:
+            print(f"graphbody: {report.unread}", file=sys.stderr)
+        status = max(status, 2 if report.unread is not None else 0 if report.conforms else 1)
     if status:
         raise typer.Exit(status)
 

@@ -526,17 +526,27 @@ def check_supports(level: Level[N]) -> None:
                 raise LevelError(f"$.bodies[{index}].left.top", expected)
 
 
-def check_overhang(world: World[N], body: int) -> None:
+def check_overhang(world: World[N], body: int, least: N) -> None:
     """Refuse a border beyond the end of its edge where there is no ledge, and a body wholly beyond it."""
-    zero, place = zero_like(world.margin), f"$.bodies[{body}]"
-    overhangs = any(distance < zero for distance in world.off_graph(body))
+    place = f"$.bodies[{body}]"
+    overhangs = any(distance < least for distance in world.off_graph(body))
     for direction in Direction if overhangs else ():
         view = world.facing(direction)
         for side, at in (("front", view.front(body)), ("rear", view.rear(body))):
-            if view.reach(at) < zero and (side == "rear" or not view.beyond(at).ledge):
+            if view.reach(at) < least and (side == "rear" or not view.beyond(at).ledge):
                 name = direction.name.lower() if side == "front" else direction.opposite.name.lower()
                 length = world.length_of(at.edge)
                 raise LevelError(f"{place}.{name}.location", f"expected 0 to {length}, got {at.location}")
+
+
+def check_buttons(world: World[N]) -> None:
+    """Refuse buttons that are not on ground or on a top, between its ends."""
+    for i, at in enumerate(world.level.buttons):
+        if at.edge not in world.row_of_edge:
+            raise LevelError(f"$.buttons[{i}].edge", f"edge {at.edge} is a fall edge: expected a ground edge")
+        length = world.length_of(at.edge)
+        if at.location < zero_like(length) or at.location > length:
+            raise LevelError(f"$.buttons[{i}].location", f"expected 0 to {length}, got {at.location}")
 
 
 def standing(level: Level[N]) -> World[N]:
@@ -569,22 +579,24 @@ def check_widths(world: World[N]) -> None:
             raise LevelError(f"$.bodies[{body}]", LEFT_OF_RIGHT)
 
 
-def world_of(level: Level[N]) -> World[N]:
-    """The world of a level at its start.
+def world_of(level: Level[N], tolerance: N | None = None) -> World[N]:
+    """The world of a level at its start; `tolerance` is how far its numbers may be off, if they may.
 
     Raises:
         LevelError: if its bodies do not lie on its strings of edges, margin by margin.
     """
     world = laid_out(level)
+    least = zero_like(level.margin) if tolerance is None else zero_like(level.margin) - tolerance
     for body in world.handles():
-        check_overhang(world, body)
+        check_overhang(world, body, least)
+    check_buttons(world)
     check_widths(world)
     for row in world.rows:
-        if row.closed and row.free is not None and row.free < zero_like(level.margin):
+        if row.closed and row.free is not None and row.free < least:
             raise LevelError("$.bodies", f"the bodies are wider than the ring by {row.free * -1}")
     for left, right in world.neighbours():
         clear = world.clear(left, right)
-        if clear < level.margin:
+        if clear < level.margin + least:
             names = f"{world.bodies[left].name!r} and {world.bodies[right].name!r}"
             raise LevelError(f"$.bodies[{right}]", f"{names} are {clear} apart, less than the margin")
     return world

@@ -14,7 +14,6 @@ from typer.testing import CliRunner
 
 from properties.claims.claim import Verdict
 from properties.cli import app
-from properties.conformance.log import ROUNDINGS
 from properties.conformance.validate import MOST_IN_PLANE
 from properties.conformance.ways import MOST_OUTCOMES, MOST_WAYS
 from properties.pages import with_tables
@@ -25,6 +24,7 @@ from reference.formats.level import MOST_BUTTONS
 from reference.formats.numbers import MOST_DIGITS, MOST_LONG
 from reference.play import LIBRARY, library, play
 from reference.recording import recording
+from reference.rounding import ROUNDINGS
 from reference.world import MOST_STOREYS
 
 PAGE = Path(__file__).parents[1] / "docs" / "formats.md"
@@ -181,9 +181,9 @@ def blocks(language):
 def examples(tmp_path, monkeypatch):
     """The examples on the page as files, in the directory in which the commands run."""
     monkeypatch.chdir(tmp_path)
-    level, scenario = blocks("json")
+    level, platform, scenario = blocks("json")
     (trace,) = blocks("jsonl")
-    for name, content in (("level.json", level), ("scenario.json", scenario), ("trace.jsonl", trace)):
+    for name, content in (("level.json", level), ("platform.json", platform), ("scenario.json", scenario), ("trace.jsonl", trace)):
         (tmp_path / name).write_text(content)
 
 

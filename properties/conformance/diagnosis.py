@@ -10,6 +10,8 @@ from typing import Any
 
 from properties.conformance.judge import Difference, Expected, Judgement, displaced, expect
 from properties.conformance.log import Step
+from reference.formats.numbers import readable
+from reference.recording import events_of
 from spec.profiles import PROFILES, Profile
 from spec.rule import AnyRule, Chooser, Family
 
@@ -44,12 +46,14 @@ class Diagnosis:
         decision: the choice that the log seems to have made differently, or else the most telling for that body.
         instead: the rule of the same family with which the log would be right, if there is one.
         profiles: other profiles under which the log would be right.
+        story: what the rules make happen in the step, in words.
     """
 
     difference: Difference
     decision: Decision | None
     instead: AnyRule | None
     profiles: tuple[str, ...]
+    story: tuple[str, ...]
 
 
 @dataclass
@@ -110,9 +114,10 @@ def diagnose(profile: Profile, step: Step, judgement: Judgement, tolerance: Frac
             return False
 
     culprit = as_if(profile, of_body, as_seen)
-    decision, instead = culprit if culprit is not None else (most_telling(of_body), None)
+    asker = decisions_for(expected, notebook, asker_of(expected, difference.body))
+    decision, instead = culprit if culprit is not None else (most_telling(of_body, asker), None)
     profiles = tuple(name for name, other in PROFILES.items() if other is not profile and as_seen(other))
-    return Diagnosis(difference, decision, instead, profiles)
+    return Diagnosis(difference, decision, instead, profiles, tuple(story(profile, expected)))
 
 
 def as_if(
@@ -126,10 +131,32 @@ def as_if(
     return None
 
 
-def most_telling(decisions: list[Decision]) -> Decision | None:
-    """The last decision by which something happened, or else the last of all."""
-    telling = [decision for decision in decisions if decision.rule.event is not None] or decisions
-    return telling[-1] if telling else None
+def most_telling(decisions: list[Decision], asker: list[Decision]) -> Decision | None:
+    """The last decision by which something happened to the body, or else to who asked it, or else the last of all."""
+    for some in (decisions, asker):
+        telling = [decision for decision in some if decision.rule.event is not None]
+        if telling:
+            return telling[-1]
+    return decisions[-1] if decisions else None
+
+
+def asker_of(expected: Expected, name: str) -> str:
+    """Who asked a body to move; the empty name if nobody did."""
+    bodies = expected.world.bodies
+    asks = [ask for record in expected.records for ask in record.asks if bodies[ask.body].name == name]
+    return bodies[asks[-1].asker].name if asks else ""
+
+
+def story(profile: Profile, expected: Expected) -> Iterator[str]:
+    """Who asks whom for what, and what happens to whom by which rule."""
+    bodies, events = expected.world.bodies, events_of(profile)
+    for record in expected.records:
+        for ask in record.asks:
+            who, whom = bodies[ask.asker].name, bodies[ask.body].name
+            yield f"{who} asks {whom} for {readable(ask.distance)}, {whom} moves {readable(ask.moved)}"
+        for body, rule in record.fired:
+            if rule in events:
+                yield f"{bodies[body].name}: {events[rule]} ({rule})"
 
 
 def first_difference(judgement: Judgement, step: Step) -> Difference:

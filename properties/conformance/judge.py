@@ -17,12 +17,13 @@ from properties.conformance.log import Request
 from properties.conformance.ways import Ways
 from properties.engine.ties import TooManyWays, value_of
 from reference.formats.level import position_record
+from reference.formats.numbers import readable
 from reference.simulator import MOST_FIRED, Record, move
 from reference.world import World
 from spec.body import Body, EdgePosition, Level
 from spec.profiles import Profile
 
-LONG = 10**6
+LITTLE = Fraction(1, 10**6)
 
 
 class Finding(Enum):
@@ -50,7 +51,8 @@ class Difference:
     def __str__(self) -> str:
         """The difference in words."""
         of = f"{self.body} {self.field}" if self.body else self.field
-        return f"{of}: expected {self.expected}, seen {self.seen}"
+        off = f" (off by {float(self.apart):.2g})" if 0 < self.apart < LITTLE else ""
+        return f"{of}: expected {self.expected}, seen {self.seen}{off}"
 
 
 @dataclass(frozen=True)
@@ -140,10 +142,3 @@ def position_text(level: Level[Any], at: EdgePosition[Any]) -> str:
     """A position in words."""
     record = position_record(at, level)
     return f"{readable(at.location)} on " + (f"edge {record.edge}" if record.top is None else f"top of {record.top}")
-
-
-def readable(number: Fraction) -> str:
-    """A number as a fraction, or as a decimal where that is shorter."""
-    if number.denominator <= LONG:
-        return str(number)
-    return repr(float(number)) if Fraction(float(number)) == number else f"about {float(number)!r}"
