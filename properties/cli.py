@@ -152,11 +152,11 @@ def validate(
     for trace in traces:
         try:
             report = report_of(trace)
+            replay = write_divergence(report)
         except (FormatError, Crash) as error:
             print(f"graphbody: {error}", file=sys.stderr)
             status = max(status, 2 if isinstance(error, FormatError) else 3)
             continue
-        replay = write_divergence(report)
         print(json_line(report, replay) if as_json else "\n".join(account(report, replay)))
         if report.unread is not None:
             print(f"graphbody: {report.unread}", file=sys.stderr)
@@ -205,6 +205,8 @@ def itf(file: Annotated[Path, typer.Argument(help="A scenario, level or trace fi
     from reference.recording import recording
 
     try:
+        for _ in recording(file).lines:
+            pass
         for piece in text(recording(file)):
             print(piece, end="")
     except FormatError as error:

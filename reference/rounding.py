@@ -10,7 +10,7 @@ from spec.number import greater
 
 Precision = Literal["exact", "float64", "float32"]
 
-ROUNDINGS = 16
+ROUNDINGS, PART = 16, 8
 UNIT_ROUNDOFF: dict[Precision, Fraction] = {
     "exact": Fraction(0),
     "float64": Fraction(1, 2**53),
@@ -19,8 +19,8 @@ UNIT_ROUNDOFF: dict[Precision, Fraction] = {
 
 
 def tolerance(numbers: Precision, level: Level[Fraction], *distances: Fraction) -> Fraction:
-    """How far off one step on a level may be, in which distances are asked."""
-    return UNIT_ROUNDOFF[numbers] * ROUNDINGS * max([largest(level), *distances])
+    """How far off one step on a level may be, in which distances are asked; never more than a part of the margin."""
+    return min(level.margin / PART, UNIT_ROUNDOFF[numbers] * ROUNDINGS * max([largest(level), *distances]))
 
 
 def largest(level: Level[Fraction]) -> Fraction:

@@ -297,12 +297,18 @@ class World(Generic[N]):
         self.bodies[body] = replace(self.bodies[body], left=left, right=right)
         row = self.row(body)
         if row is not before:
-            before.order.remove(body)
-            self.settle(before)
+            self.reorder(before, [other for other in before.order if other != body])
             along = self.coordinate(left)
             place = sum(1 for other in row.order if self.coordinate(self.bodies[other].left) < along)
-            row.order.insert(place, body)
-            self.settle(row)
+            self.reorder(row, [*row.order[:place], body, *row.order[place:]])
+
+    def reorder(self, row: Row[N], order: list[int]) -> None:
+        """Give a string another order of bodies; copies of this world keep theirs."""
+        new = replace(row, order=order)
+        self.settle(new)
+        self.rows = [new if one is row else one for one in self.rows]
+        for edge in new.edges:
+            self.row_of_edge[edge] = new
 
     def pressed(self, button: EdgePosition[N]) -> bool:
         """Whether a character stands on a button: between its borders, on its string (1.1)."""
@@ -322,11 +328,9 @@ class World(Generic[N]):
         return all(self.pressed(button) for button in self.level.buttons)
 
     def copy(self) -> World[N]:
-        """An independent copy, its work counted anew; the graph is shared."""
+        """An independent copy, its work counted anew; the graph is shared, and strings until one changes."""
         other = copy(self)
-        other.bodies, other.work = list(self.bodies), Work()
-        other.rows = [replace(row, order=list(row.order), place=dict(row.place)) for row in self.rows]
-        other.row_of_edge = {edge: row for row in other.rows for edge in row.edges}
+        other.bodies, other.row_of_edge, other.work = list(self.bodies), dict(self.row_of_edge), Work()
         return other
 
     def become(self, other: World[N]) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from pathlib import Path
+from shlex import quote
 
 import msgspec
 
@@ -12,20 +13,28 @@ from properties.conformance.judge import Finding
 from properties.conformance.record import ConjunctRecord, TroubleRecord, ValidationRecord
 from properties.conformance.validate import Report, Trouble
 from properties.evidence.files import BUILD
-from reference.formats.files import write
+from reference.formats.files import FormatError, one_line, write
 from reference.formats.trace import LineRecord
 from spec.registry import statements
 
-MOST_LINES = 12
+MOST_LINES, MOST_LETTERS = 12, 100
 DIVERGENCES = BUILD / "divergences"
 
 
 def write_divergence(report: Report) -> Path | None:
-    """Write the scenario of the first step that diverges; return its path, or None if there is none."""
+    """Write the scenario of the first step that diverges; return its path, or None if there is none.
+
+    Raises:
+        FormatError: if it cannot be written.
+    """
     if report.unread is not None or report.first is None or report.first.scenario is None:
         return None
-    path = DIVERGENCES / f"{report.path.stem}-line-{report.first.step.number}.json"
-    write(path, report.first.scenario)
+    name = "-".join((*(part for part in report.path.parts[-2:-1] if part.strip("./")), report.path.stem))[:MOST_LETTERS]
+    path = DIVERGENCES / f"{name}-line-{report.first.step.number}.json"
+    try:
+        write(path, report.first.scenario)
+    except OSError as error:
+        raise FormatError(one_line(f"{path}: {error.strerror}")) from None
     return path
 
 
@@ -59,7 +68,7 @@ def trouble_record(trouble: Trouble, replay: Path | None) -> TroubleRecord:
     difference = trouble.differences[0] if diagnosis is None else diagnosis.difference
     decision = None if diagnosis is None else diagnosis.decision
     instead = None if diagnosis is None or diagnosis.instead is None else diagnosis.instead.id
-    guards = {} if decision is None else decision.guards
+    guards = {} if diagnosis is None else diagnosis.guards
     return TroubleRecord(
         line=trouble.step.number,
         finding=trouble.finding.value,
@@ -73,7 +82,7 @@ def trouble_record(trouble: Trouble, replay: Path | None) -> TroubleRecord:
         instead_guard=[] if instead is None else guard_record(guards[instead]),
         profiles=[] if diagnosis is None else list(diagnosis.profiles),
         scenario=trouble.scenario,
-        replay=None if replay is None else f"graphbody simulate {replay}",
+        replay=None if replay is None else f"graphbody simulate {quote(str(replay))}",
     )
 
 
@@ -94,7 +103,7 @@ def account(report: Report, replay: Path | None) -> Iterator[str]:
     if report.first is not None:
         yield from account_of_trouble(report.first)
     if replay is not None:
-        yield f"  replay what the rules do: graphbody simulate {replay}"
+        yield f"  replay what the rules do: graphbody simulate {quote(str(replay))}"
     for invariant, breach in report.broken.items():
         so = f"; so do the rules of {report.profile}, it is no fault of the trace" if breach.allowed else ""
         yield f"  line {breach.line} breaks {invariant}{so}: {statements()[invariant].sentence}"
@@ -134,10 +143,10 @@ def account_of_diagnosis(diagnosis: Diagnosis) -> Iterator[str]:
         yield f"  no rule was to move {diagnosis.difference.body}: nothing was asked of it"
     else:
         yield f"  rule expected: {decision.rule.id}: {decision.rule.sentence}"
-        yield from guard_lines(decision.guards[decision.rule.id])
+        yield from guard_lines(diagnosis.guards[decision.rule.id])
     if decision is not None and instead is not None:
         yield f"  as seen if it were: {instead.id}: {instead.sentence}"
-        yield from guard_lines(decision.guards[instead.id])
+        yield from guard_lines(diagnosis.guards[instead.id])
     for profile in diagnosis.profiles:
         yield f"  as seen under profile {profile}"
 

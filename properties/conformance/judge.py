@@ -8,7 +8,7 @@ then a log does not tell which comes first. Everywhere else there is one outcome
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import Enum
 from fractions import Fraction
 from typing import Any
@@ -95,20 +95,24 @@ def judge(
     differences = tuple(displaced(expected.world.bodies, seen, tolerance))
     if not differences:
         return Judgement(Finding.AGREES, expected, ())
-    return Judgement(among_all_ways(profile, before, asked, seen, tolerance), expected, differences)
+    finding, moved = among_all_ways(profile, before, asked, seen, tolerance)
+    return Judgement(finding, replace(expected, moved=moved or expected.moved), differences)
 
 
 def among_all_ways(
     profile: Profile, before: World[Fraction], asked: Sequence[Request], seen: World[Fraction], tolerance: Fraction
-) -> Finding:
-    """Whether the bodies are where they may be if ties are broken in another way, of numbers and of places in a row."""
+) -> tuple[Finding, tuple[Fraction, ...]]:
+    """Whether the bodies are where they may be if ties are broken in another way, of numbers and of places in a row.
+
+    And how far the requests have moved their bodies then.
+    """
     ways = Ways(profile, tolerance)
     try:
-        worlds = ways.one_after_another(before.level, asked)
+        reached = ways.one_after_another(before.level, asked)
     except TooManyWays:
-        return Finding.AMBIGUOUS
-    allowed = any(not any(displaced(world.bodies, seen, tolerance)) for world in worlds)
-    return Finding.ONE_OF_SEVERAL if allowed else Finding.DIVERGES
+        return Finding.AMBIGUOUS, ()
+    allowed = [moved for world, moved in reached if not any(displaced(world.bodies, seen, tolerance))]
+    return (Finding.ONE_OF_SEVERAL, allowed[0]) if allowed else (Finding.DIVERGES, ())
 
 
 def displaced(bodies: Sequence[Body[Any]], seen: World[Fraction], tolerance: Fraction) -> Iterator[Difference]:
@@ -131,11 +135,18 @@ def same_place(
     world: World[Fraction], one: EdgePosition[Fraction], two: EdgePosition[Fraction], tolerance: Fraction
 ) -> bool:
     """Whether two positions are the same place on the same string; a vertex has two names (A57)."""
+    if one.edge == two.edge and abs(one.location - two.location) <= tolerance:
+        return True
     row = world.row_of_edge[one.edge]
-    if row is not world.row_of_edge[two.edge]:
+    if row is not world.row_of_edge[two.edge] or not all(on_edge(world, at, tolerance) for at in (one, two)):
         return False
     apart = abs(world.coordinate(one) - world.coordinate(two))
     return apart <= tolerance or (row.closed and row.length - apart <= tolerance)
+
+
+def on_edge(world: World[Fraction], at: EdgePosition[Fraction], tolerance: Fraction) -> bool:
+    """Whether a position is between the ends of its edge."""
+    return -tolerance <= at.location <= world.length_of(at.edge) + tolerance
 
 
 def position_text(level: Level[Any], at: EdgePosition[Any]) -> str:

@@ -42,8 +42,7 @@ def requests_of(level: Level[Fraction], profile: Profile, line: LineRecord) -> t
     assert line.tick is not None
     direction = Direction[line.tick.key.upper()]
     bodies = [level.bodies[handles[name]] for name in profile.tick_order(list(handles))]
-    one_tick = [(handles[body.name], direction, body.speed * level.tick) for body in bodies if body.speed]
-    return tuple(one_tick * line.tick.times)
+    return tuple((handles[body.name], direction, body.speed * level.tick) for body in bodies if body.speed)
 
 
 def tolerance_of(header: HeaderRecord, level: Level[Fraction], asked: tuple[Request, ...]) -> Fraction:

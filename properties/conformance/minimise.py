@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import partial
 
@@ -22,7 +22,7 @@ from reference.world import LevelError, standing, world_of
 from spec.body import EdgePosition
 from spec.profiles import Profile
 
-MOST_TRIALS = 200
+MOST_SMALLER, MOST_WORK = 200, 100_000
 DENOMINATORS = (1, 2, 4, 10, 20, 100, 1000, 10**6, 10**9, 10**12)
 
 
@@ -40,10 +40,14 @@ class Reduction:
     body: str
     expected: Expected
     slack: Fraction
-    trials: int = field(default=MOST_TRIALS)
+    trials: int = MOST_SMALLER
 
-    def smallest(self, name: str, note: str) -> ScenarioRecord:
-        """The smallest scenario that is found."""
+    def __post_init__(self) -> None:
+        """Try less often what takes long."""
+        self.trials = min(MOST_SMALLER, MOST_WORK // (1 + sum(len(record.fired) for record in self.expected.records)))
+
+    def smallest(self, name: str, note: str) -> ScenarioRecord | None:
+        """The smallest scenario that is found; None if no simulator would accept the state before the step."""
         line = self.step.line
         level = level_record(replace(self.step.before.level, buttons=()), name)
         kept = {self.body, *([] if line.request is None else [line.request.body])}
@@ -53,7 +57,10 @@ class Reduction:
 
         level = with_bodies(level, without_needless(level.bodies, needs_only, kept))
         simple = (pair for pair in simpler(level, line) if playable(pair[0]) and self.same(*pair))
-        level, line = next(simple, (level, line))
+        found = next(simple, (level, line))
+        if not playable(found[0]):
+            return None
+        level, line = found
         asked = StepRecord(request=line.request, tick=line.tick)
         return ScenarioRecord("graphbody/scenario@1", name, level, [asked], self.profile.name, note=note)
 

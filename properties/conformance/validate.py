@@ -65,7 +65,7 @@ class Report:
 
     Attributes:
         found: how many steps were found to be what.
-        first: the first step that diverges, or else the first that is ambiguous.
+        first: the first step that diverges or is ambiguous.
         broken: for each invariant that was broken, by the log's own states, where it was first.
         invalid: the line and the place of a state that no body can be in, at which the validation ended.
         unread: what is wrong with a line that cannot be read, at which the validation ended.
@@ -159,21 +159,17 @@ def look_at(step: Step, log: Recording, grid: Grid | None, report: Report) -> No
     judgement = judge(log.profile, step.before, step.asked, step.after, tolerance)
     finding, differences = judgement.finding, judgement.differences
     said = [*of_the_grid(step, grid), *of_the_state(step.line, step.after, tolerance)]
-    if finding is Finding.AGREES:
+    if finding in (Finding.AGREES, Finding.ONE_OF_SEVERAL):
         said += of_the_moves(step.line, step.asked, judgement.expected, tolerance)
+    if finding is Finding.AGREES:
         said += of_the_events(step.line, log.profile, judgement.expected, tolerance)
     if said and finding is not Finding.DIVERGES:
         finding, differences = Finding.DIVERGES, tuple(said)
     report.found[finding] += 1
-    if finding in (Finding.DIVERGES, Finding.AMBIGUOUS) and outranks(finding, report.first):
+    if finding in (Finding.DIVERGES, Finding.AMBIGUOUS) and report.first is None:
         report.first = trouble(step, log, replace(judgement, finding=finding, differences=differences), tolerance)
     for invariant in broken_by(step, tolerance):
         report.broken.setdefault(invariant.id, Breach(step.number, allowed=finding is not Finding.DIVERGES))
-
-
-def outranks(finding: Finding, first: Trouble | None) -> bool:
-    """Whether a finding is to be explained: the first divergence, or what is ambiguous before any."""
-    return first is None or (finding is Finding.DIVERGES and first.finding is Finding.AMBIGUOUS)
 
 
 def trouble(step: Step, log: Recording, judgement: Judgement, tolerance: Fraction) -> Trouble:

@@ -51,6 +51,8 @@ def decode(content: bytes, kind: type[T], where: str) -> T:
     Raises:
         FormatError: with the place in the document and what is expected there.
     """
+    if not content.strip():
+        raise FormatError(one_line(f"{where}: $: expected a JSON document, got nothing"))
     try:
         return msgspec.json.decode(content.removeprefix(BYTE_ORDER_MARK), type=kind)
     except msgspec.ValidationError as error:
