@@ -152,13 +152,15 @@ def validate(
     for trace in traces:
         try:
             report = report_of(trace)
+            replay = write_divergence(report)
         except (FormatError, Crash) as error:
             print(f"graphbody: {error}", file=sys.stderr)
             status = max(status, 2 if isinstance(error, FormatError) else 3)
             continue
-        replay = write_divergence(report)
         print(json_line(report, replay) if as_json else "\n".join(account(report, replay)))
-        status = max(status, 0 if report.conforms else 1)
+        if report.unread is not None:
+            print(f"graphbody: {report.unread}", file=sys.stderr)
+        status = max(status, 2 if report.unread is not None else 0 if report.conforms else 1)
     if status:
         raise typer.Exit(status)
 
@@ -203,6 +205,8 @@ def itf(file: Annotated[Path, typer.Argument(help="A scenario, level or trace fi
     from reference.recording import recording
 
     try:
+        for _ in recording(file).lines:
+            pass
         for piece in text(recording(file)):
             print(piece, end="")
     except FormatError as error:

@@ -138,7 +138,7 @@ def of_rule(rule: Rule[Any, Any]) -> Iterator[Fact]:
 
 @cache
 def firings() -> dict[str, Firing]:
-    """For each rule the shortest request of the library in which it fires, of a figure of the thesis if there is one."""
+    """For each rule the request of the library that ranks first of those in which it fires."""
     found: dict[str, Firing] = {}
     for path in library():
         for number, step in enumerate(play(path).steps, start=1):

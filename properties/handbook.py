@@ -50,7 +50,7 @@ PAGES = (
 
 
 class NoEvidence(Exception):
-    """The check has not been run, or not the whole of it; the message says what to run."""
+    """The check has not been run, or not the whole of it, or there is no place to write to."""
 
 
 def slug(name: str) -> str:
@@ -92,6 +92,9 @@ def write_handbook(docs: Path) -> int:
         NoEvidence: if a run of the check is missing.
     """
     shown, table, to = results(), everything(), docs / "reference"
+    contents = to / "README.md"
+    if to.exists() and not (contents.is_file() and MADE in contents.read_text()):
+        raise NoEvidence(f"{to}: expected nothing, or a reference that this command has made")
     rmtree(to, ignore_errors=True)
     for directory in (to / "pictures", to / "witnesses"):
         directory.mkdir(parents=True)

@@ -15,7 +15,8 @@ SIMPLE = {"string": "text", "boolean": "true or false", "integer": "whole number
 def with_tables(page: str) -> str:
     """A page with the tables between its two marks made anew."""
     before, _, rest = page.partition(BEGIN)
-    _, _, after = rest.partition(END)
+    _, found, after = rest.partition(END)
+    assert found, "the page has no place for the tables"
     return before + BEGIN + formats_tables() + END + after
 
 

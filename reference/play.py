@@ -63,6 +63,8 @@ def format_of(path: Path) -> str:
     Raises:
         FormatError: if it does not say.
     """
+    if path.exists() and not path.is_file() and not path.is_dir():
+        raise FormatError(one_line(f"{path}: expected a file, which can be read more than once"))
     try:
         return decode(next(pieces(path), b""), Tagged, str(path)).format
     except FormatError:
@@ -75,7 +77,10 @@ def read_playable(path: Path) -> tuple[ScenarioRecord, LevelRecord]:
     Raises:
         FormatError: if either cannot be read.
     """
-    if not format_of(path).startswith("graphbody/level@"):
+    found = format_of(path)
+    if found.startswith("graphbody/trace@"):
+        raise FormatError(f"{path}: $.format: expected a level or a scenario; a trace is for validate, draw and itf")
+    if not found.startswith("graphbody/level@"):
         return read_scenario(path)
     level = read(path, LevelRecord)
     return ScenarioRecord("graphbody/scenario@1", level.name, level=path.name, steps=[], note=level.note), level

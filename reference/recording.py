@@ -54,7 +54,7 @@ def read_trace(path: Path) -> Recording:
     content = pieces(path)
     header = decode(next(content, b""), HeaderRecord, f"{path}:1")
     try:
-        profile, level = profile_of(header.profile), valid_level(header.level, "$.level")
+        profile, level = profile_of(header.profile), valid_level(header.level, "$.level", header.numbers)
     except LevelError as error:
         raise FormatError(one_line(f"{path}:1: {error}")) from None
     tops = tops_of(header.level, len(level.graph.edges))
@@ -62,9 +62,11 @@ def read_trace(path: Path) -> Recording:
 
 
 def read_lines(path: Path, content: Iterator[bytes], tops: Tops) -> Iterator[LineRecord]:
-    """The lines after the header of a trace."""
+    """The lines after the header of a trace; it may end in empty ones."""
     for number, text in enumerate(content, start=1):
         where = f"{path}:{number + 1}"
+        if not text.strip() and not any(rest.strip() for rest in content):
+            return
         line = decode(text, LineRecord, where)
         check_step(StepRecord(line.request, line.tick), f"{where}: $")
         if line.step is not None and line.step != number:

@@ -21,6 +21,16 @@ class Endless(Exception):
     """A request has fired more rules than it was given: it does not seem to end."""
 
 
+@dataclass(frozen=True)
+class Answered:
+    """A request that a body made of its neighbour: who asked whom, for how much, and how far it moved."""
+
+    asker: int
+    body: int
+    distance: Any
+    moved: Any
+
+
 @dataclass
 class Record:
     """What happened in one request: the rules that fired, each with its body, and the longest chain of requests.
@@ -31,6 +41,7 @@ class Record:
     body: int
     most: int | None = None
     fired: list[tuple[int, str]] = field(default_factory=list)
+    asks: list[Answered] = field(default_factory=list)
     depth: int = 1
 
     def note(self, rule: str) -> None:
@@ -73,10 +84,11 @@ def fulfil(start: Ask[N, int], begin: Callable[[Ask[N, int]], Generator[Ask[N, i
 
     The chain is a list, not a recursion: it may be as long as the row.
     """
-    chain = [(start.body, begin(start))]
+    chain = [(start, begin(start))]
     answer: Any = None
     while True:
-        record.body, running = chain[-1]
+        current, running = chain[-1]
+        record.body = current.body
         try:
             ask = running.send(answer)
         except StopIteration as end:
@@ -84,8 +96,9 @@ def fulfil(start: Ask[N, int], begin: Callable[[Ask[N, int]], Generator[Ask[N, i
             chain.pop()
             if not chain:
                 return answer  # type: ignore[no-any-return]
+            record.asks.append(Answered(chain[-1][0].body, current.body, current.distance, answer))
         else:
-            chain.append((ask.body, begin(ask)))
+            chain.append((ask, begin(ask)))
             record.depth = max(record.depth, len(chain))
             answer = None
 

@@ -297,12 +297,18 @@ class World(Generic[N]):
         self.bodies[body] = replace(self.bodies[body], left=left, right=right)
         row = self.row(body)
         if row is not before:
-            before.order.remove(body)
-            self.settle(before)
+            self.reorder(before, [other for other in before.order if other != body])
             along = self.coordinate(left)
             place = sum(1 for other in row.order if self.coordinate(self.bodies[other].left) < along)
-            row.order.insert(place, body)
-            self.settle(row)
+            self.reorder(row, [*row.order[:place], body, *row.order[place:]])
+
+    def reorder(self, row: Row[N], order: list[int]) -> None:
+        """Give a string another order of bodies; copies of this world keep theirs."""
+        new = replace(row, order=order)
+        self.settle(new)
+        self.rows = [new if one is row else one for one in self.rows]
+        for edge in new.edges:
+            self.row_of_edge[edge] = new
 
     def pressed(self, button: EdgePosition[N]) -> bool:
         """Whether a character stands on a button: between its borders, on its string (1.1)."""
@@ -322,11 +328,9 @@ class World(Generic[N]):
         return all(self.pressed(button) for button in self.level.buttons)
 
     def copy(self) -> World[N]:
-        """An independent copy, its work counted anew; the graph is shared."""
+        """An independent copy, its work counted anew; the graph is shared, and strings until one changes."""
         other = copy(self)
-        other.bodies, other.work = list(self.bodies), Work()
-        other.rows = [replace(row, order=list(row.order), place=dict(row.place)) for row in self.rows]
-        other.row_of_edge = {edge: row for row in other.rows for edge in row.edges}
+        other.bodies, other.row_of_edge, other.work = list(self.bodies), dict(self.row_of_edge), Work()
         return other
 
     def become(self, other: World[N]) -> None:
@@ -526,17 +530,27 @@ def check_supports(level: Level[N]) -> None:
                 raise LevelError(f"$.bodies[{index}].left.top", expected)
 
 
-def check_overhang(world: World[N], body: int) -> None:
+def check_overhang(world: World[N], body: int, least: N) -> None:
     """Refuse a border beyond the end of its edge where there is no ledge, and a body wholly beyond it."""
-    zero, place = zero_like(world.margin), f"$.bodies[{body}]"
-    overhangs = any(distance < zero for distance in world.off_graph(body))
+    place = f"$.bodies[{body}]"
+    overhangs = any(distance < least for distance in world.off_graph(body))
     for direction in Direction if overhangs else ():
         view = world.facing(direction)
         for side, at in (("front", view.front(body)), ("rear", view.rear(body))):
-            if view.reach(at) < zero and (side == "rear" or not view.beyond(at).ledge):
+            if view.reach(at) < least and (side == "rear" or not view.beyond(at).ledge):
                 name = direction.name.lower() if side == "front" else direction.opposite.name.lower()
                 length = world.length_of(at.edge)
                 raise LevelError(f"{place}.{name}.location", f"expected 0 to {length}, got {at.location}")
+
+
+def check_buttons(world: World[N]) -> None:
+    """Refuse buttons that are not on ground or on a top, between its ends."""
+    for i, at in enumerate(world.level.buttons):
+        if at.edge not in world.row_of_edge:
+            raise LevelError(f"$.buttons[{i}].edge", f"edge {at.edge} is a fall edge: expected a ground edge")
+        length = world.length_of(at.edge)
+        if at.location < zero_like(length) or at.location > length:
+            raise LevelError(f"$.buttons[{i}].location", f"expected 0 to {length}, got {at.location}")
 
 
 def standing(level: Level[N]) -> World[N]:
@@ -569,22 +583,24 @@ def check_widths(world: World[N]) -> None:
             raise LevelError(f"$.bodies[{body}]", LEFT_OF_RIGHT)
 
 
-def world_of(level: Level[N]) -> World[N]:
-    """The world of a level at its start.
+def world_of(level: Level[N], tolerance: N | None = None) -> World[N]:
+    """The world of a level at its start; `tolerance` is how far its numbers may be off, if they may.
 
     Raises:
         LevelError: if its bodies do not lie on its strings of edges, margin by margin.
     """
     world = laid_out(level)
+    least = zero_like(level.margin) if tolerance is None else zero_like(level.margin) - tolerance
     for body in world.handles():
-        check_overhang(world, body)
+        check_overhang(world, body, least)
+    check_buttons(world)
     check_widths(world)
     for row in world.rows:
-        if row.closed and row.free is not None and row.free < zero_like(level.margin):
+        if row.closed and row.free is not None and row.free < least:
             raise LevelError("$.bodies", f"the bodies are wider than the ring by {row.free * -1}")
     for left, right in world.neighbours():
         clear = world.clear(left, right)
-        if clear < level.margin:
+        if clear < level.margin + least:
             names = f"{world.bodies[left].name!r} and {world.bodies[right].name!r}"
             raise LevelError(f"$.bodies[{right}]", f"{names} are {clear} apart, less than the margin")
     return world

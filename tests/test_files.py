@@ -145,6 +145,20 @@ def test_bodies_wider_than_their_ring_are_refused(tmp_path):
         load(tmp_path, level)
 
 
+@pytest.mark.parametrize(
+    ("button", "place"),
+    [
+        ({"edge": 1, "location": "1/2"}, r"\$\.buttons\[0\]\.edge: edge 1 is a fall edge"),
+        ({"edge": 0, "location": "11"}, r"\$\.buttons\[0\]\.location: expected 0 to 10, got 11"),
+        ({"top": "A", "location": "-1"}, r"\$\.buttons\[0\]\.location: expected 0 to 1"),
+    ],
+)
+def test_a_button_is_on_ground_or_on_a_top(tmp_path, button, place):
+    level = {**GOOD, "vertices": [["0", "0"], ["10", "0"], ["10", "-1"], ["20", "-1"]], "buttons": [button]}
+    with pytest.raises(LevelError, match=place):
+        load(tmp_path, level)
+
+
 def test_numbers_are_read_exactly(tmp_path):
     row = load(tmp_path, changed(["bodies", 0, "left", "location"], 0.1))
     assert row.bodies[0].left.location == 0.1

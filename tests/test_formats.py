@@ -14,9 +14,8 @@ from typer.testing import CliRunner
 
 from properties.claims.claim import Verdict
 from properties.cli import app
-from properties.conformance.log import ROUNDINGS
 from properties.conformance.validate import MOST_IN_PLANE
-from properties.conformance.ways import MOST_OUTCOMES, MOST_WAYS
+from properties.conformance.ways import MOST_DECISIONS, MOST_OUTCOMES, MOST_WAYS
 from properties.pages import with_tables
 from properties.results import ClaimResult, Results
 from properties.schemas import KINDS, schema
@@ -25,6 +24,7 @@ from reference.formats.level import MOST_BUTTONS
 from reference.formats.numbers import MOST_DIGITS, MOST_LONG
 from reference.play import LIBRARY, library, play
 from reference.recording import recording
+from reference.rounding import ROUNDINGS
 from reference.world import MOST_STOREYS
 
 PAGE = Path(__file__).parents[1] / "docs" / "formats.md"
@@ -181,9 +181,10 @@ def blocks(language):
 def examples(tmp_path, monkeypatch):
     """The examples on the page as files, in the directory in which the commands run."""
     monkeypatch.chdir(tmp_path)
-    level, scenario = blocks("json")
+    level, platform, scenario = blocks("json")
     (trace,) = blocks("jsonl")
-    for name, content in (("level.json", level), ("scenario.json", scenario), ("trace.jsonl", trace)):
+    files = {"level.json": level, "platform.json": platform, "scenario.json": scenario, "trace.jsonl": trace}
+    for name, content in files.items():
         (tmp_path / name).write_text(content)
 
 
@@ -194,6 +195,7 @@ def test_the_examples_on_the_page_are_as_the_schemas_say_and_do_what_the_page_sa
     for line in Path("trace.jsonl").read_text().splitlines():
         check("trace", json.loads(line))
     assert graphbody("simulate", "level.json").exit_code == 0
+    assert graphbody("simulate", "platform.json").exit_code == 0
     played = graphbody("simulate", "scenario.json")
     assert played.exit_code == 0
     assert "".join(f"    {line}".rstrip() + "\n" for line in played.stdout.splitlines()) in PAGE.read_text()
@@ -220,7 +222,7 @@ def test_the_trace_on_the_page_conforms_and_the_wrong_one_is_told_as_the_page_sa
     assert done.exit_code == 1
     assert "".join(f"    {line}\n" for line in done.stdout.splitlines()) in PAGE.read_text()
     page = " ".join(PAGE.read_text().split())
-    assert f"({MOST_WAYS} ways for a request, {MOST_OUTCOMES} outcomes)" in page
+    assert f"({MOST_WAYS} ways for a request, {MOST_OUTCOMES} outcomes, {MOST_DECISIONS} decisions)" in page
     assert f"Else it is {ROUNDINGS} roundings" in page
     assert f"with up to {MOST_IN_PLANE} bodies" in page
 

@@ -289,7 +289,7 @@ BAD_LEVELS = {
     "a tower": (LEVEL | {"bodies": TOWER}, r"\$\.bodies\[101\]\.left\.top: expected a chain of supports"),
     "on itself": (changed(LEVEL, "bodies", 2, "left", "top", to="C"), r"\$\.bodies\[2\]\.right: expected both borders"),
     "binary garbage": (bytes(range(256)), "not JSON: JSON is malformed"),
-    "nothing": (b"", "not JSON: Input data was truncated"),
+    "nothing": (b"", r"\$: expected a JSON document, got nothing"),
     "cut short": (json.dumps(LEVEL)[:-9], "not JSON: Input data was truncated"),
 }
 
@@ -386,4 +386,7 @@ def test_a_directory_and_a_trace_are_no_scenario(tmp_path):
     assert "Is a directory" in refusal(tmp_path, "simulate", tmp_path)
     assert "Is a directory" in refusal(tmp_path, "itf", tmp_path)
     trace = written(tmp_path / "trace.jsonl", lines(*GOOD["trace"][0]))
-    assert re.search(r"trace.jsonl: \$\.format: .*graphbody/trace@1", refusal(tmp_path, "simulate", trace))
+    assert re.search(
+        r"trace.jsonl: \$\.format: expected a level or a scenario; a trace is for validate",
+        refusal(tmp_path, "simulate", trace),
+    )

@@ -10,10 +10,13 @@ from typing import Any
 
 from properties.conformance.judge import Difference, Expected, Judgement, displaced, expect
 from properties.conformance.log import Step
+from reference.formats.numbers import readable
+from reference.recording import events_of
+from reference.simulator import Endless
 from spec.profiles import PROFILES, Profile
-from spec.rule import AnyRule, Chooser, Family
+from spec.rule import AnyRule, Chooser, Family, GuardError
 
-MOST_TRIALS = 200
+MOST_TRIALS, MOST_WORK = 200, 100_000
 
 
 @dataclass(frozen=True)
@@ -27,12 +30,11 @@ class Conjunct:
 
 @dataclass(frozen=True)
 class Decision:
-    """A choice among the rules of a family: for whom, what was chosen, and the guards of all."""
+    """A choice among the rules of a family: the number of the choice in the step, what was chosen, and from what."""
 
     number: int
     rule: AnyRule
-    guards: dict[str, tuple[Conjunct, ...]]
-    others: tuple[AnyRule, ...]
+    family: Family[Any, Any]
 
 
 @dataclass(frozen=True)
@@ -42,22 +44,33 @@ class Diagnosis:
     Attributes:
         difference: the first field that differs, of the body that was to move first.
         decision: the choice that the log seems to have made differently, or else the most telling for that body.
+        guards: the guards of all rules among which the choice was.
         instead: the rule of the same family with which the log would be right, if there is one.
         profiles: other profiles under which the log would be right.
+        story: what the rules make happen in the step, in words.
     """
 
     difference: Difference
     decision: Decision | None
+    guards: dict[str, tuple[Conjunct, ...]]
     instead: AnyRule | None
     profiles: tuple[str, ...]
+    story: tuple[str, ...]
 
 
 @dataclass
 class Notebook:
-    """The decisions of a step, in order; `forced` is a rule to be taken at one of them whatever the guards say."""
+    """The decisions of a step, in order.
+
+    Attributes:
+        forced: a rule to be taken at one of them, whatever the guards say.
+        guarded: a decision of which the guards are to be noted, rule by rule.
+    """
 
     forced: tuple[int, AnyRule] | None = None
+    guarded: int | None = None
     decisions: list[Decision] = field(default_factory=list)
+    guards: dict[str, tuple[Conjunct, ...]] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -69,12 +82,12 @@ class Noted:
 
     def choose(self, facts: Any) -> AnyRule:
         """Return the rule that applies, or the one that is forced."""
-        number = len(self.notebook.decisions)
-        rule = self.family.choose(facts)
-        guards = {one.id: tuple(conjuncts(one, facts)) for one in self.family.rules}
-        others = tuple(one for one in self.family.rules if one is not rule)
-        self.notebook.decisions.append(Decision(number, rule, guards, others))
-        forced = self.notebook.forced
+        notebook, rule = self.notebook, self.family.choose(facts)
+        number = len(notebook.decisions)
+        notebook.decisions.append(Decision(number, rule, self.family))
+        if notebook.guarded == number:
+            notebook.guards.update({one.id: tuple(conjuncts(one, facts)) for one in self.family.rules})
+        forced = notebook.forced
         return forced[1] if forced is not None and forced[0] == number else rule
 
 
@@ -106,30 +119,62 @@ def diagnose(profile: Profile, step: Step, judgement: Judgement, tolerance: Frac
         try:
             instead = expect(other, step.before, step.asked, most)
             return not any(displaced(instead.world.bodies, step.after, tolerance))
-        except Exception:
+        except (AssertionError, GuardError, Endless):
             return False
 
-    culprit = as_if(profile, of_body, as_seen)
-    decision, instead = culprit if culprit is not None else (most_telling(of_body), None)
+    trials = min(MOST_TRIALS, MOST_WORK // max(1, len(notebook.decisions)))
+    culprit = as_if(profile, of_body, as_seen, trials)
+    asker = decisions_for(expected, notebook, asker_of(expected, difference.body))
+    decision, instead = culprit if culprit is not None else (most_telling(of_body, asker), None)
     profiles = tuple(name for name, other in PROFILES.items() if other is not profile and as_seen(other))
-    return Diagnosis(difference, decision, instead, profiles)
+    guards = {} if decision is None else guards_at(profile, step, decision)
+    return Diagnosis(difference, decision, guards, instead, profiles, tuple(story(profile, expected)))
+
+
+def guards_at(profile: Profile, step: Step, decision: Decision) -> dict[str, tuple[Conjunct, ...]]:
+    """The guards of all rules among which a decision was."""
+    notebook = Notebook(guarded=decision.number)
+    expect(noted(profile, notebook), step.before, step.asked)
+    return notebook.guards
 
 
 def as_if(
-    profile: Profile, decisions: list[Decision], as_seen: Callable[[Profile], bool]
+    profile: Profile, decisions: list[Decision], as_seen: Callable[[Profile], bool], most: int
 ) -> tuple[Decision, AnyRule] | None:
     """The last decision, and the other rule for it, with which the log would be right."""
-    trials = ((decision, rule) for decision in reversed(decisions) for rule in decision.others)
-    for decision, rule in islice(trials, MOST_TRIALS):
-        if as_seen(noted(profile, Notebook((decision.number, rule)))):
+    trials = ((decision, rule) for decision in reversed(decisions) for rule in decision.family.rules)
+    for decision, rule in islice(trials, most):
+        if rule is not decision.rule and as_seen(noted(profile, Notebook((decision.number, rule)))):
             return decision, rule
     return None
 
 
-def most_telling(decisions: list[Decision]) -> Decision | None:
-    """The last decision by which something happened, or else the last of all."""
-    telling = [decision for decision in decisions if decision.rule.event is not None] or decisions
-    return telling[-1] if telling else None
+def most_telling(decisions: list[Decision], asker: list[Decision]) -> Decision | None:
+    """The last decision by which something happened to the body, or else to who asked it, or else the last of all."""
+    for some in (decisions, asker):
+        telling = [decision for decision in some if decision.rule.event is not None]
+        if telling:
+            return telling[-1]
+    return decisions[-1] if decisions else None
+
+
+def asker_of(expected: Expected, name: str) -> str:
+    """Who asked a body to move; the empty name if nobody did."""
+    bodies = expected.world.bodies
+    asks = [ask for record in expected.records for ask in record.asks if bodies[ask.body].name == name]
+    return bodies[asks[-1].asker].name if asks else ""
+
+
+def story(profile: Profile, expected: Expected) -> Iterator[str]:
+    """Who asks whom for what, and what happens to whom by which rule."""
+    bodies, events = expected.world.bodies, events_of(profile)
+    for record in expected.records:
+        for ask in record.asks:
+            who, whom = bodies[ask.asker].name, bodies[ask.body].name
+            yield f"{who} asks {whom} for {readable(ask.distance)}, {whom} moves {readable(ask.moved)}"
+        for body, rule in record.fired:
+            if rule in events:
+                yield f"{bodies[body].name}: {events[rule]} ({rule})"
 
 
 def first_difference(judgement: Judgement, step: Step) -> Difference:

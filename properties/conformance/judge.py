@@ -8,7 +8,7 @@ then a log does not tell which comes first. Everywhere else there is one outcome
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import Enum
 from fractions import Fraction
 from typing import Any
@@ -17,12 +17,13 @@ from properties.conformance.log import Request
 from properties.conformance.ways import Ways
 from properties.engine.ties import TooManyWays, value_of
 from reference.formats.level import position_record
+from reference.formats.numbers import readable
 from reference.simulator import MOST_FIRED, Record, move
 from reference.world import World
 from spec.body import Body, EdgePosition, Level
 from spec.profiles import Profile
 
-LONG = 10**6
+LITTLE = Fraction(1, 10**6)
 
 
 class Finding(Enum):
@@ -50,7 +51,8 @@ class Difference:
     def __str__(self) -> str:
         """The difference in words."""
         of = f"{self.body} {self.field}" if self.body else self.field
-        return f"{of}: expected {self.expected}, seen {self.seen}"
+        off = f" (off by {float(self.apart):.2g})" if 0 < self.apart < LITTLE else ""
+        return f"{of}: expected {self.expected}, seen {self.seen}{off}"
 
 
 @dataclass(frozen=True)
@@ -93,20 +95,24 @@ def judge(
     differences = tuple(displaced(expected.world.bodies, seen, tolerance))
     if not differences:
         return Judgement(Finding.AGREES, expected, ())
-    return Judgement(among_all_ways(profile, before, asked, seen, tolerance), expected, differences)
+    finding, moved = among_all_ways(profile, before, asked, seen, tolerance)
+    return Judgement(finding, replace(expected, moved=moved or expected.moved), differences)
 
 
 def among_all_ways(
     profile: Profile, before: World[Fraction], asked: Sequence[Request], seen: World[Fraction], tolerance: Fraction
-) -> Finding:
-    """Whether the bodies are where they may be if ties are broken in another way, of numbers and of places in a row."""
+) -> tuple[Finding, tuple[Fraction, ...]]:
+    """Whether the bodies are where they may be if ties are broken in another way, of numbers and of places in a row.
+
+    And how far the requests have moved their bodies then.
+    """
     ways = Ways(profile, tolerance)
     try:
-        worlds = ways.one_after_another(before.level, asked)
+        reached = ways.one_after_another(before.level, asked)
     except TooManyWays:
-        return Finding.AMBIGUOUS
-    allowed = any(not any(displaced(world.bodies, seen, tolerance)) for world in worlds)
-    return Finding.ONE_OF_SEVERAL if allowed else Finding.DIVERGES
+        return Finding.AMBIGUOUS, ()
+    allowed = [moved for world, moved in reached if not any(displaced(world.bodies, seen, tolerance))]
+    return (Finding.ONE_OF_SEVERAL, allowed[0]) if allowed else (Finding.DIVERGES, ())
 
 
 def displaced(bodies: Sequence[Body[Any]], seen: World[Fraction], tolerance: Fraction) -> Iterator[Difference]:
@@ -129,21 +135,21 @@ def same_place(
     world: World[Fraction], one: EdgePosition[Fraction], two: EdgePosition[Fraction], tolerance: Fraction
 ) -> bool:
     """Whether two positions are the same place on the same string; a vertex has two names (A57)."""
+    if one.edge == two.edge and abs(one.location - two.location) <= tolerance:
+        return True
     row = world.row_of_edge[one.edge]
-    if row is not world.row_of_edge[two.edge]:
+    if row is not world.row_of_edge[two.edge] or not all(on_edge(world, at, tolerance) for at in (one, two)):
         return False
     apart = abs(world.coordinate(one) - world.coordinate(two))
     return apart <= tolerance or (row.closed and row.length - apart <= tolerance)
+
+
+def on_edge(world: World[Fraction], at: EdgePosition[Fraction], tolerance: Fraction) -> bool:
+    """Whether a position is between the ends of its edge."""
+    return -tolerance <= at.location <= world.length_of(at.edge) + tolerance
 
 
 def position_text(level: Level[Any], at: EdgePosition[Any]) -> str:
     """A position in words."""
     record = position_record(at, level)
     return f"{readable(at.location)} on " + (f"edge {record.edge}" if record.top is None else f"top of {record.top}")
-
-
-def readable(number: Fraction) -> str:
-    """A number as a fraction, or as a decimal where that is shorter."""
-    if number.denominator <= LONG:
-        return str(number)
-    return repr(float(number)) if Fraction(float(number)) == number else f"about {float(number)!r}"

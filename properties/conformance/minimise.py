@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from fractions import Fraction
+from functools import partial
 
 import msgspec
 
 from properties.conformance.judge import Expected, expect
 from properties.conformance.log import Step, requests_of
 from properties.conformance.said import fired_in
-from reference.formats.level import BodyRecord, LevelRecord, Position, level_of, level_record
+from reference.formats.level import BodyRecord, LevelRecord, level_of, level_record
 from reference.formats.numbers import exact
 from reference.formats.scenario import ScenarioRecord, StepRecord
 from reference.formats.trace import LineRecord
@@ -21,8 +22,8 @@ from reference.world import LevelError, standing, world_of
 from spec.body import EdgePosition
 from spec.profiles import Profile
 
-MOST_TRIALS = 200
-DENOMINATORS = (1, 2, 4, 10, 20, 100, 1000, 10**6)
+MOST_SMALLER, MOST_WORK = 200, 100_000
+DENOMINATORS = (1, 2, 4, 10, 20, 100, 1000, 10**6, 10**9, 10**12)
 
 
 @dataclass
@@ -39,10 +40,14 @@ class Reduction:
     body: str
     expected: Expected
     slack: Fraction
-    trials: int = field(default=MOST_TRIALS)
+    trials: int = MOST_SMALLER
 
-    def smallest(self, name: str, note: str) -> ScenarioRecord:
-        """The smallest scenario that is found."""
+    def __post_init__(self) -> None:
+        """Try less often what takes long."""
+        self.trials = min(MOST_SMALLER, MOST_WORK // (1 + sum(len(record.fired) for record in self.expected.records)))
+
+    def smallest(self, name: str, note: str) -> ScenarioRecord | None:
+        """The smallest scenario that is found; None if no simulator would accept the state before the step."""
         line = self.step.line
         level = level_record(replace(self.step.before.level, buttons=()), name)
         kept = {self.body, *([] if line.request is None else [line.request.body])}
@@ -52,7 +57,10 @@ class Reduction:
 
         level = with_bodies(level, without_needless(level.bodies, needs_only, kept))
         simple = (pair for pair in simpler(level, line) if playable(pair[0]) and self.same(*pair))
-        level, line = next(simple, (level, line))
+        found = next(simple, (level, line))
+        if not playable(found[0]):
+            return None
+        level, line = found
         asked = StepRecord(request=line.request, tick=line.tick)
         return ScenarioRecord("graphbody/scenario@1", name, level, [asked], self.profile.name, note=note)
 
@@ -112,20 +120,50 @@ def without_needless(
 
 
 def simpler(level: LevelRecord, line: LineRecord) -> Iterator[tuple[LevelRecord, LineRecord]]:
-    """The step with its numbers rounded to simple fractions, the simplest first."""
+    """The step with its numbers rounded to simple fractions, the simplest first: of the whole level, or of bodies only.
+
+    Last as it is, but for a margin that the bodies keep.
+    """
     for most in DENOMINATORS:
-
-        def rounded(number: str | int | float, most: int = most) -> str:
-            return str(exact(number, "$").limit_denominator(most))
-
-        def at(position: Position, most: int = most) -> Position:
-            return msgspec.structs.replace(position, location=rounded(position.location, most))
-
-        bodies = [msgspec.structs.replace(b, left=at(b.left), right=at(b.right)) for b in level.bodies]
+        rounded = partial(simple, most=most)
         request = line.request
         if request is not None:
             request = msgspec.structs.replace(request, distance=rounded(request.distance))
-        yield with_bodies(level, bodies), msgspec.structs.replace(line, request=request)
+        simple_line, bodies = msgspec.structs.replace(line, request=request), [at(b, rounded) for b in level.bodies]
+        yield with_bodies(in_whole(level, rounded), bodies), simple_line
+        yield with_bodies(level, bodies), simple_line
+    yield msgspec.structs.replace(level, margin=str(margin_kept(level))), line
+
+
+def simple(number: str | int | float, most: int) -> str:
+    """The nearest fraction whose denominator is no larger than allowed."""
+    return str(exact(number, "$").limit_denominator(most))
+
+
+def at(body: BodyRecord, rounded: Callable[..., str]) -> BodyRecord:
+    """The body with its numbers rounded."""
+    left, right = (
+        msgspec.structs.replace(border, location=rounded(border.location)) for border in (body.left, body.right)
+    )
+    return msgspec.structs.replace(body, left=left, right=right, speed=rounded(body.speed), height=rounded(body.height))
+
+
+def in_whole(level: LevelRecord, rounded: Callable[..., str]) -> LevelRecord:
+    """The level with the numbers of its graph, its margin and its tick rounded."""
+    round_ = None if level.circumference is None else rounded(level.circumference)
+    return msgspec.structs.replace(
+        level,
+        vertices=[(rounded(x), rounded(y)) for x, y in level.vertices],
+        margin=rounded(level.margin),
+        tick=rounded(level.tick),
+        circumference=round_,
+    )
+
+
+def margin_kept(level: LevelRecord) -> Fraction:
+    """The margin, or what the nearest neighbours are apart if that is less."""
+    world = standing(level_of(level))
+    return min([world.margin, *(world.clear(*pair) for pair in world.neighbours())])
 
 
 def playable(level: LevelRecord) -> bool:

@@ -46,4 +46,5 @@ class ValidationRecord(Record, frozen=True, kw_only=True):
     diverges: Annotated[int, says("how many are not what the rules allow")]
     first: Annotated[TroubleRecord | None, says("the first step that diverges, or else the first ambiguous one")] = None
     broken: Annotated[dict[str, int], says("for each invariant that the states break, the first line that does")] = {}  # noqa: RUF012
+    unread: Annotated[str | None, says("what is wrong with a line at which the reading ended")] = None
     invalid: Annotated[str | None, says("the line and the place of a state that no body can be in")] = None

@@ -5,9 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 from fractions import Fraction
 
-from properties.conformance.judge import Difference, Expected, readable
-from properties.conformance.log import Request
-from reference.formats.numbers import exact
+import msgspec
+
+from properties.conformance.judge import Difference, Expected
+from properties.conformance.log import Grid, Request, Step
+from reference.formats.numbers import exact, readable
 from reference.formats.trace import LineRecord, MoveRecord
 from reference.recording import events_of, supports_of
 from reference.world import World
@@ -19,17 +21,38 @@ def of_the_state(line: LineRecord, seen: World[Fraction], tolerance: Fraction) -
     """What a line says of the state after it, and is not so in the state that it says it is."""
     supports = supports_of(seen.level.bodies, seen.level)
     if line.supports is not None and line.supports != supports:
-        yield Difference("", "supports", str(supports), str(line.supports))
+        yield Difference("", "supports", as_json(supports), as_json(line.supports))
     buttons = seen.level.buttons
     pressed = [seen.pressed(button) for button in buttons]
     open_to_both = [at_a_border(seen, button, tolerance) for button in buttons]
     told = pressed if line.pressed is None else line.pressed
-    wrong = [one != two and not either for one, two, either in zip(pressed, told, open_to_both, strict=False)]
-    if any(wrong) or len(told) != len(pressed):
-        yield Difference("", "pressed", str(pressed), str(told))
+    if len(told) != len(pressed):
+        yield Difference("", "pressed", as_json(pressed), as_json(told))
+        return
+    right = [two if either else one for one, two, either in zip(pressed, told, open_to_both, strict=True)]
+    if told != right:
+        yield Difference("", "pressed", as_json(right), as_json(told))
     known = line.pressed is not None or not any(open_to_both)
-    if line.solved is not None and line.solved != all(told) and known:
-        yield Difference("", "solved", str(all(told)), str(line.solved))
+    if line.solved is not None and line.solved != all(right) and known:
+        yield Difference("", "solved", as_json(all(right)), as_json(line.solved))
+
+
+def as_json(value: object) -> str:
+    """A value as it stands in a file."""
+    return msgspec.json.encode(value).decode()
+
+
+def of_the_grid(step: Step, grid: Grid | None) -> Iterator[Difference]:
+    """The numbers of a line that are not on the grid that its header promises."""
+    if grid is None:
+        return
+    for body, _, distance in step.asked:
+        if distance not in grid:
+            yield Difference(step.after.bodies[body].name, "asked", str(grid), readable(distance))
+    for held in step.after.bodies:
+        for side, at in (("left", held.left), ("right", held.right)):
+            if at.location not in grid:
+                yield Difference(held.name, f"{side}.location", str(grid), readable(at.location))
 
 
 def at_a_border(seen: World[Fraction], button: EdgePosition[Fraction], tolerance: Fraction) -> bool:

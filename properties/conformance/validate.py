@@ -11,40 +11,44 @@ from pathlib import Path
 from properties.conformance.diagnosis import Diagnosis, diagnose
 from properties.conformance.judge import Difference, Finding, Judgement, judge
 from properties.conformance.log import (
+    Grid,
     Step,
-    check_grid,
     grid_of,
-    numbers_of_step,
     requests_of,
     tolerance_of,
 )
 from properties.conformance.minimise import Reduction
-from properties.conformance.said import of_the_events, of_the_moves, of_the_state
+from properties.conformance.said import of_the_events, of_the_grid, of_the_moves, of_the_state
 from reference.formats.files import FormatError, one_line
 from reference.formats.scenario import ScenarioRecord
 from reference.formats.trace import LineRecord
 from reference.recording import Recording, read_trace, state_after
+from reference.rounding import tolerance as rounding
 from reference.simulator import Endless
 from reference.world import LevelError, World
-from spec.graph import Direction
+from spec.graph import Direction, EdgeType
 from spec.invariants import NO_OVERLAP, RIGID_WIDTH, Deed, Invariant
 from spec.plane import APART, NEVER_RAISED, PLANE_MARGIN, TERRAIN
 
 OF_STRINGS: tuple[Invariant, ...] = (NO_OVERLAP, RIGID_WIDTH)
-IN_PLANE: tuple[Invariant, ...] = (APART, PLANE_MARGIN, TERRAIN, NEVER_RAISED)
+IN_PLANE: tuple[Invariant, ...] = (APART, PLANE_MARGIN, TERRAIN)
 MOST_IN_PLANE = 32
 ANY_SLACK = Fraction(1, 100)
 
 
 @dataclass(frozen=True)
 class Trouble:
-    """The first step of a log that diverges, or is ambiguous, and all that can be said of it."""
+    """The first step of a log that diverges, or is ambiguous, and all that can be said of it.
+
+    `rounded`: whether it is in exact numbers, and would be right to within the roundings of floats.
+    """
 
     step: Step
     finding: Finding
     differences: tuple[Difference, ...]
     diagnosis: Diagnosis | None
     scenario: ScenarioRecord | None
+    rounded: bool = False
 
 
 @dataclass(frozen=True)
@@ -61,9 +65,10 @@ class Report:
 
     Attributes:
         found: how many steps were found to be what.
-        first: the first step that diverges, or else the first that is ambiguous.
+        first: the first step that diverges or is ambiguous.
         broken: for each invariant that was broken, by the log's own states, where it was first.
         invalid: the line and the place of a state that no body can be in, at which the validation ended.
+        unread: what is wrong with a line that cannot be read, at which the validation ended.
     """
 
     path: Path
@@ -72,11 +77,17 @@ class Report:
     first: Trouble | None = None
     broken: dict[str, Breach] = field(default_factory=dict)
     invalid: str | None = None
+    unread: str | None = None
 
     @property
     def conforms(self) -> bool:
         """Whether every step is one that the rules allow."""
-        return self.invalid is None and not self.found[Finding.DIVERGES] and not self.found[Finding.AMBIGUOUS]
+        return (
+            self.invalid is None
+            and self.unread is None
+            and not self.found[Finding.DIVERGES]
+            and not self.found[Finding.AMBIGUOUS]
+        )
 
 
 class Crash(Exception):
@@ -97,16 +108,22 @@ def validate(path: Path) -> Report:
     log = read_trace(path)
     report = Report(path, log.profile.name)
     try:
+        grid = grid_of(log)
+    except LevelError as error:
+        raise FormatError(one_line(f"{path}:1: {error}")) from None
+    try:
         for step in steps_of(path, log):
-            look_at(step, log, report)
+            look_at(step, log, grid, report)
     except Endless as error:
-        raise FormatError(f"{path}:{step.number}: $: {error}") from None
+        report.unread = f"{path}:{step.number}: $: {error}"
+    except FormatError as error:
+        report.unread = str(error)
     except StateError as error:
         report.invalid = str(error)
-    except FormatError:
-        raise
     except Exception as error:
         raise Crash(f"{path}: internal error, please report it: {error!r}") from error
+    if not report.found and report.unread is None and report.invalid is None:
+        raise FormatError(f"{path}:2: $: expected a step after the header")
     return report
 
 
@@ -114,20 +131,14 @@ def steps_of(path: Path, log: Recording) -> Iterator[Step]:
     """The steps of a log, one after another.
 
     Raises:
-        FormatError: at the first line that is none, or has a number that is not on the log's grid.
+        FormatError: at the first line that is none.
         StateError: at the first line that says that its step ended in a state that no body can be in.
     """
-    state, number = World(log.level), 1
-    try:
-        grid = grid_of(log)
-        for number, line in enumerate(log.lines, start=2):
-            asked, after = requests_of(log.level, log.profile, line), world_after(log, line, f"{path}:{number}")
-            if grid is not None:
-                check_grid(*grid, numbers_of_step(asked, after))
-            yield Step(number, state, asked, line, after)
-            state = after
-    except LevelError as error:
-        raise FormatError(one_line(f"{path}:{number}: {error}")) from None
+    state = World(log.level)
+    for number, line in enumerate(log.lines, start=2):
+        asked, after = requests_of(log.level, log.profile, line), world_after(log, line, f"{path}:{number}")
+        yield Step(number, state, asked, line, after)
+        state = after
 
 
 def world_after(log: Recording, line: LineRecord, where: str) -> World[Fraction]:
@@ -142,27 +153,23 @@ def world_after(log: Recording, line: LineRecord, where: str) -> World[Fraction]
         raise StateError(one_line(f"{where}: {error}")) from None
 
 
-def look_at(step: Step, log: Recording, report: Report) -> None:
+def look_at(step: Step, log: Recording, grid: Grid | None, report: Report) -> None:
     """Judge a step; explain it if it is the first of its kind."""
     tolerance = tolerance_of(log.header, log.level, step.asked)
     judgement = judge(log.profile, step.before, step.asked, step.after, tolerance)
     finding, differences = judgement.finding, judgement.differences
-    said = list(of_the_state(step.line, step.after, tolerance))
-    if finding is Finding.AGREES:
+    said = [*of_the_grid(step, grid), *of_the_state(step.line, step.after, tolerance)]
+    if finding in (Finding.AGREES, Finding.ONE_OF_SEVERAL):
         said += of_the_moves(step.line, step.asked, judgement.expected, tolerance)
+    if finding is Finding.AGREES:
         said += of_the_events(step.line, log.profile, judgement.expected, tolerance)
     if said and finding is not Finding.DIVERGES:
         finding, differences = Finding.DIVERGES, tuple(said)
     report.found[finding] += 1
-    if finding in (Finding.DIVERGES, Finding.AMBIGUOUS) and outranks(finding, report.first):
+    if finding in (Finding.DIVERGES, Finding.AMBIGUOUS) and report.first is None:
         report.first = trouble(step, log, replace(judgement, finding=finding, differences=differences), tolerance)
     for invariant in broken_by(step, tolerance):
         report.broken.setdefault(invariant.id, Breach(step.number, allowed=finding is not Finding.DIVERGES))
-
-
-def outranks(finding: Finding, first: Trouble | None) -> bool:
-    """Whether a finding is to be explained: the first divergence, or what is ambiguous before any."""
-    return first is None or (finding is Finding.DIVERGES and first.finding is Finding.AMBIGUOUS)
 
 
 def trouble(step: Step, log: Recording, judgement: Judgement, tolerance: Fraction) -> Trouble:
@@ -175,13 +182,16 @@ def trouble(step: Step, log: Recording, judgement: Judgement, tolerance: Fractio
     reduction = Reduction(log.profile, step, diagnosis.difference.body, judgement.expected, slack)
     note = f"Line {step.number} of {log.header.name} has {diagnosis.difference}."
     scenario = reduction.smallest(f"line-{step.number}", note)
-    return Trouble(step, judgement.finding, judgement.differences, diagnosis, scenario)
+    in_floats = rounding("float64", log.level, *(distance for _, _, distance in step.asked))
+    rounded = not tolerance and all(0 < difference.apart <= in_floats for difference in moved)
+    return Trouble(step, judgement.finding, judgement.differences, diagnosis, scenario, rounded)
 
 
 def broken_by(step: Step, tolerance: Fraction) -> Iterator[Invariant]:
     """The invariants that hold before a step and not after it; those in the plane if bodies are not too many."""
     few = len(step.after.bodies) <= MOST_IN_PLANE
-    for invariant in (*OF_STRINGS, *(IN_PLANE if few else ())):
+    level = all(edge.rise == 0 for edge in step.after.graph.edges if edge.type is EdgeType.GROUND)
+    for invariant in (*OF_STRINGS, *(IN_PLANE if few else ()), *((NEVER_RAISED,) if few and level else ())):
         if not invariant.holds(deed_of(step, step.before, step.after, tolerance)):
             yield invariant
 

@@ -8,9 +8,11 @@ one. The exact outcome is always the first.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
-from itertools import islice, permutations, product
+from functools import partial
+from itertools import permutations, product
+from math import factorial, prod
 from typing import Any
 
 from properties.engine.ties import TIES, Choices, Near, Ties, TooManyWays, every_way, value_of
@@ -24,6 +26,7 @@ from spec.transform import with_numbers
 
 MOST_WAYS = 500
 MOST_OUTCOMES = 64
+MOST_DECISIONS = 50_000
 
 
 @dataclass(frozen=True)
@@ -44,6 +47,11 @@ class Question:
     distance: Fraction
     spare: int
 
+    @property
+    def but_distance(self) -> Question:
+        """The same for no distance."""
+        return replace(self, distance=Fraction(0))
+
 
 class Open(Exception):
     """A question that must be answered first."""
@@ -55,13 +63,15 @@ class Open(Exception):
 
 @dataclass(frozen=True)
 class Asking:
-    """A family that breaks ties anew for every situation it is asked about."""
+    """A family that breaks ties anew for every situation it is asked about, so often as a step may."""
 
     family: Chooser
+    ways: Ways
 
     def choose(self, facts: Any) -> AnyRule:
         """Return the rule that applies."""
         TIES.get().anew()
+        self.ways.spend()
         return self.family.choose(facts)
 
 
@@ -73,6 +83,18 @@ class Ways:
     tolerance: Fraction
     worlds: list[World[Any]] = field(default_factory=list)
     known: dict[Question, list[Outcome]] = field(default_factory=dict)
+    asked: dict[Question, list[Question]] = field(default_factory=dict)
+    decisions: int = 0
+
+    def spend(self) -> None:
+        """Count a decision.
+
+        Raises:
+            TooManyWays: if there have been too many.
+        """
+        self.decisions += 1
+        if self.decisions > MOST_DECISIONS:
+            raise TooManyWays(f"more than {MOST_DECISIONS} decisions")
 
     def begin(self, level: Level[Fraction]) -> list[int]:
         """The worlds of a level: one for each order of the bodies, where some of them are in the same place.
@@ -82,20 +104,16 @@ class Ways:
         """
         with_ties(Ties(Fraction(0), Choices()))
         first = World(with_numbers(level, Near, Fraction))
-        self.worlds.extend(islice(self.orders(first), MOST_OUTCOMES + 1))
-        if len(self.worlds) > MOST_OUTCOMES:
+        groups = [list(together(first, row.order, self.tolerance)) for row in first.rows]
+        if prod(factorial(len(group)) for some in groups for group in some) > MOST_OUTCOMES:
             raise TooManyWays(f"more than {MOST_OUTCOMES} orders")
+        for orders in product(*(list(orders_of(some)) for some in groups)):
+            world = first.copy()
+            for row, order in zip(first.rows, orders, strict=True):
+                if order != row.order:
+                    world.reorder(row, order)
+            self.worlds.append(world)
         return list(range(len(self.worlds)))
-
-    def orders(self, world: World[Any]) -> Iterator[World[Any]]:
-        """A world with the bodies of each string in every order that their places allow."""
-        choices = [list(orders_in(world, row.order, self.tolerance)) for row in world.rows]
-        for orders in product(*choices):
-            other = world.copy()
-            for row, order in zip(other.rows, orders, strict=True):
-                row.order = list(order)
-                other.settle(row)
-            yield other
 
     def of(self, question: Question) -> list[Outcome]:
         """The outcomes of a request: first that of its neighbours, if they are asked."""
@@ -103,7 +121,8 @@ class Ways:
         while waiting:
             try:
                 self.known[waiting[-1]] = self.outcomes(waiting[-1])
-                waiting.pop()
+                done = waiting.pop()
+                self.asked.setdefault(done.but_distance, []).append(done)
             except Open as first:
                 waiting.append(first.question)
         return self.known[question]
@@ -132,7 +151,7 @@ class Ways:
         """
         with_ties(Ties(self.tolerance, choices))
         at, world = question.world, self.worlds[question.world].copy()
-        rules, view = self.profile.rules.through(Asking), world.facing(question.direction)
+        rules, view = self.profile.rules.through(partial(Asking, ways=self)), world.facing(question.direction)
         running = request(rules, view, question.body, Near(question.distance), question.spare)
         answer: Any = None
         while True:
@@ -148,10 +167,15 @@ class Ways:
             world.become(self.worlds[at])
 
     def answers(self, question: Question) -> list[Outcome]:
-        """What is known of a neighbour's request."""
-        if question not in self.known:
-            raise Open(question)
-        return self.known[question]
+        """What is known of a neighbour's request, or of one that is as good as the same.
+
+        Raises:
+            Open: if nothing is.
+        """
+        for other in self.asked.get(question.but_distance, ()):
+            if abs(other.distance - question.distance) <= self.tolerance:
+                return self.known[other]
+        raise Open(question)
 
     def alike(self, world: World[Any], other: World[Any], difference: Fraction) -> bool:
         """Whether two worlds are as good as equal, and so is what led to them but for a difference in distance."""
@@ -162,29 +186,36 @@ class Ways:
 
     def one_after_another(
         self, level: Level[Fraction], asked: Sequence[tuple[int, Direction, Fraction]]
-    ) -> list[World[Any]]:
-        """The worlds that requests may lead to, one made after another.
+    ) -> list[tuple[World[Any], tuple[Fraction, ...]]]:
+        """The worlds that requests may lead to, one made after another, and how far each request then moved its body.
 
         Raises:
             TooManyWays: if there are too many.
         """
         spare = self.profile.push_limit(len(level.bodies)) - 1
-        reached = self.begin(level)
+        reached: list[tuple[int, tuple[Fraction, ...]]] = [(world, ()) for world in self.begin(level)]
         for body, direction, distance in asked:
             before, reached = reached, []
-            for world in before:
-                self.add(self.of(Question(world, direction, body, distance, spare)), reached)
-        return [self.worlds[number] for number in reached]
+            for world, moved in before:
+                self.add(self.of(Question(world, direction, body, distance, spare)), moved, direction, reached)
+        return [(self.worlds[number], moved) for number, moved in reached]
 
-    def add(self, outcomes: Sequence[Outcome], reached: list[int]) -> None:
+    def add(
+        self,
+        outcomes: Sequence[Outcome],
+        moved: tuple[Fraction, ...],
+        direction: Direction,
+        reached: list[tuple[int, tuple[Fraction, ...]]],
+    ) -> None:
         """Add the worlds of outcomes to those reached, without those that are as good as one of them.
 
         Raises:
             TooManyWays: if they become too many.
         """
-        for number in (outcome.world for outcome in outcomes):
-            if not any(self.alike(self.worlds[number], self.worlds[other], Fraction(0)) for other in reached):
-                reached.append(number)
+        for outcome in outcomes:
+            world = self.worlds[outcome.world]
+            if not any(self.alike(world, self.worlds[other], Fraction(0)) for other, _ in reached):
+                reached.append((outcome.world, (*moved, outcome.moved * direction)))
         if len(reached) > MOST_OUTCOMES:
             raise TooManyWays(f"more than {MOST_OUTCOMES} outcomes")
 
@@ -194,17 +225,23 @@ def with_ties(ties: Ties) -> None:
     TIES.set(ties)
 
 
-def orders_in(world: World[Any], order: list[int], tolerance: Fraction) -> Iterator[tuple[int, ...]]:
-    """The orders of bodies on a string in which those with their left borders in the same place may change places."""
+def together(world: World[Any], order: list[int], tolerance: Fraction) -> Iterator[list[int]]:
+    """The bodies of a string, in groups whose left borders are in the same place."""
     along = {body: world.coordinate(world.bodies[body].left).value for body in order}
-    groups: list[list[int]] = []
+    group: list[int] = []
     for body in order:
-        if groups and abs(along[groups[-1][-1]] - along[body]) <= tolerance:
-            groups[-1].append(body)
-        else:
-            groups.append([body])
+        if group and along[body] - along[group[-1]] > tolerance:
+            yield group
+            group = []
+        group.append(body)
+    if group:
+        yield group
+
+
+def orders_of(groups: list[list[int]]) -> Iterator[list[int]]:
+    """The orders of bodies on a string in which those of a group may change places."""
     for parts in product(*(permutations(group) for group in groups)):
-        yield tuple(body for part in parts for body in part)
+        yield [body for part in parts for body in part]
 
 
 def near(one: EdgePosition[Near], two: EdgePosition[Near], tolerance: Fraction) -> bool:

@@ -17,6 +17,7 @@ from properties.claims.catalogue import CLAIMS
 from properties.claims.claim import Claim, Verdict
 from properties.contracts.request import judged
 from properties.worlds.scenes import Shape
+from reference.formats.files import FormatError
 from reference.simulator import Endless
 from spec.conditions import IN_ORDER, MARGINS_KEPT
 from spec.rule import GuardError
@@ -135,7 +136,7 @@ def count(claim_id: str, count_id: str) -> Showing:
     started = time.perf_counter()
     try:
         cases, failures = program(claim.profile), {}
-    except (AssertionError, GuardError, Endless) as error:
+    except (AssertionError, GuardError, Endless, FormatError) as error:
         cases, failures = 0, {claim.about: str(error)}
     return Showing("counting", time.perf_counter() - started, cases, failures)
 

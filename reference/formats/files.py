@@ -10,6 +10,7 @@ from typing import Annotated, Any, TypeVar
 import msgspec
 from msgspec import Meta, inspect
 
+BYTE_ORDER_MARK = b"\xef\xbb\xbf"
 MOST_BYTES = 64 * 2**20
 MOST_ITEMS = 100_000
 MOST_CHARACTERS = 100
@@ -50,8 +51,10 @@ def decode(content: bytes, kind: type[T], where: str) -> T:
     Raises:
         FormatError: with the place in the document and what is expected there.
     """
+    if not content.strip():
+        raise FormatError(one_line(f"{where}: $: expected a JSON document, got nothing"))
     try:
-        return msgspec.json.decode(content, type=kind)
+        return msgspec.json.decode(content.removeprefix(BYTE_ORDER_MARK), type=kind)
     except msgspec.ValidationError as error:
         found = PLACE.fullmatch(str(error))
         place, problem = (found["place"], found["problem"]) if found else ("$", str(error))
@@ -61,7 +64,7 @@ def decode(content: bytes, kind: type[T], where: str) -> T:
     except RecursionError:
         raise FormatError(one_line(f"{where}: $: expected arrays and objects that are nested less deeply")) from None
     except (msgspec.DecodeError, UnicodeError) as error:
-        raise FormatError(one_line(f"{where}: not JSON: {error}")) from None
+        raise FormatError(one_line(f"{where}: not JSON: {in_lines(str(error), content)}")) from None
 
 
 def permitted(kind: type[Any], place: str) -> list[str]:
@@ -85,6 +88,16 @@ def plain(node: inspect.Type) -> Iterator[inspect.Type]:
             yield from plain(choice)
     else:
         yield node
+
+
+def in_lines(problem: str, content: bytes) -> str:
+    """A problem with its place, which is given in bytes, as a line and a column."""
+    found = re.search(r"\(byte (\d+)\)", problem)
+    if found is None:
+        return problem
+    before = content[: int(found[1])]
+    line, column = before.count(b"\n") + 1, len(before) - before.rfind(b"\n")
+    return f"{problem[: found.start()]}(line {line}, column {column})"
 
 
 def read(path: Path, kind: type[T]) -> T:

@@ -12,6 +12,7 @@ from msgspec import Meta
 
 from reference.formats.files import Many, Name, Record, says
 from reference.formats.numbers import Number, check_sums, exact, number_text
+from reference.rounding import Precision, tolerance
 from reference.world import LevelError, world_of
 from spec.body import Body, EdgePosition, Level
 from spec.graph import Edge, EdgeType, ExplicitEdge, Graph, IrrationalLength, NoLength, Vertex, explicit, polyline
@@ -130,15 +131,15 @@ def level_of(record: LevelRecord) -> Level[Fraction]:
     return level
 
 
-def valid_level(record: LevelRecord, place: str) -> Level[Fraction]:
-    """The level of a record that is at `place` in a document, if a world can hold it.
+def valid_level(record: LevelRecord, place: str, numbers: Precision = "exact") -> Level[Fraction]:
+    """The level of a record that is at `place` in a document, if a world can hold it, in such numbers.
 
     Raises:
         LevelError: if not.
     """
     try:
         level = level_of(record)
-        world_of(level)
+        world_of(level, tolerance(numbers, level))
     except LevelError as error:
         raise error.under(place) from None
     return level

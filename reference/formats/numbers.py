@@ -14,6 +14,7 @@ from reference.world import LevelError
 
 MOST_LONG = 400
 MOST_DIGITS = 100
+READABLE = 10**6
 NUMBER = re.compile(r"[+-]?[0-9]+(/[0-9]+|\.[0-9]+)?")
 
 Text = Annotated[
@@ -62,3 +63,10 @@ def check_sums(numbers: Iterable[tuple[str, Iterable[Fraction]]]) -> None:
             if common >= most:
                 expected = f"expected numbers whose common denominator has at most {MOST_DIGITS} digits"
                 raise LevelError(place, expected)
+
+
+def readable(number: Fraction) -> str:
+    """A number as a fraction, or as a decimal where that is shorter."""
+    if number.denominator <= READABLE:
+        return str(number)
+    return repr(float(number)) if Fraction(float(number)) == number else f"about {float(number)!r}"

@@ -102,6 +102,8 @@ def check_line(line: LineRecord, tops: Tops) -> None:
     for name in tops.edges:
         if name not in seen:
             raise LevelError("$.bodies", f"expected the place of every body, got none of {name!r}")
+    if line.tick is not None and line.tick.times != 1:
+        raise LevelError("$.tick.times", f"expected 1, a line of a trace for each tick, got {line.tick.times}")
     if line.request is not None:
         check_name(line.request.body, tops, "$.request.body")
         exact(line.request.distance, "$.request.distance")
