@@ -6,7 +6,7 @@ A comparison is kept in one form, however it was written, so that what was asked
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from contextvars import ContextVar
 from fractions import Fraction
 from functools import lru_cache
@@ -65,10 +65,20 @@ def formula_of(truth: object) -> z3.BoolRef:
 @lru_cache(maxsize=100_000)
 def compared(parts: tuple[tuple[Variable, Fraction], ...], constant: Fraction, relation: str) -> z3.BoolRef:
     """The formula that a sum is less than 0 (`<`), at most 0 (`<=`) or 0 (`==`)."""
-    terms = [z3.Q(factor.numerator, factor.denominator) * variable(name) for name, factor in parts]
-    total = z3.Sum([*terms, z3.Q(constant.numerator, constant.denominator)])
+    total = sum_of(parts, constant)
     formula = {"<": total < 0, "<=": total <= 0, "==": total == 0}[relation]
     return z3.simplify(formula, som=True, arith_lhs=True, sort_sums=True)
+
+
+def sum_of(parts: Iterable[tuple[Variable, Fraction]], constant: Fraction) -> z3.ArithRef:
+    """The solver's term of a sum."""
+    terms = [z3.Q(factor.numerator, factor.denominator) * variable(name) for name, factor in parts]
+    return z3.Sum([*terms, z3.Q(constant.numerator, constant.denominator)])
+
+
+def term_of(number: Any) -> z3.ArithRef:
+    """The solver's term of a number, symbolic or not."""
+    return sum_of(parted(number).parts.items(), parted(number).constant)
 
 
 def variable(name: Variable) -> z3.ArithRef:
@@ -161,6 +171,11 @@ class Symbolic:
 
     def __ne__(self, other: object) -> Any:
         return negated(self.compare(other, "=="))
+
+
+def parted(number: Any) -> Symbolic:
+    """A number as a sum, symbolic or not."""
+    return number if isinstance(number, Symbolic) else Symbolic({}, Fraction(number))
 
 
 def negated(truth: Any) -> Any:
