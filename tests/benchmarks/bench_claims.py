@@ -3,16 +3,16 @@
 from functools import partial
 
 import pytest
+
 from benchmarks import claim
 from benchmarks.claim import Numbers, verdict
-from benchmarks.other import crosshair
+from benchmarks.other import MOST_SECONDS, crosshair
 from properties.claims.catalogue import CLAIMS
 from properties.contracts.request import judged
 from properties.engine.explore import explore
 from properties.engine.reals import compared
 
 ROUNDS = 3
-MOST_SECONDS = 200
 WAYS = {
     "paths": claim.by_paths,
     "merged": claim.by_merging,

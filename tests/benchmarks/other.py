@@ -13,6 +13,7 @@ from collections import Counter
 from pathlib import Path
 from typing import Any
 
+MOST_SECONDS = 200
 TESTS = Path(__file__).parents[1]
 CONCLUDED = {"confirmed": "confirmed", "exec_err": "refuted", "post_fail": "refuted", "cannot_confirm": "not confirmed"}
 
