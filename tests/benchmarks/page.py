@@ -11,6 +11,7 @@ from importlib.metadata import version
 from itertools import pairwise
 from pathlib import Path
 from statistics import geometric_mean
+from textwrap import fill
 from typing import Any
 
 from rich.console import Console
@@ -52,7 +53,7 @@ class Figures:
         """The table and its text as a section of a page."""
         lines = [self.header, tuple("---" for _ in self.header), *self.rows]
         table = "\n".join(f"| {' | '.join(line)} |" for line in lines)
-        return f"## {self.title}\n\n{self.text}\n\n{table}\n"
+        return f"## {self.title}\n\n{fill(self.text, 120)}\n\n{table}\n"
 
     def show(self, console: Console) -> None:
         """Print the table."""
@@ -90,32 +91,32 @@ def sizes(measured: list[Measured], group: str, lacking: int) -> dict[Sizes, dic
 
 def beside(measured: list[Measured], lacking: int) -> list[tuple[str, ...]]:
     """A row for each size: what CrossHair concluded, and what each of our ways did beside it."""
-    return [
-        (
-            CLAIMS[one],
-            str(bodies),
-            ways["crosshair"].about["verdict"],
-            *(cell(ways[way], ways["crosshair"]) for way in OURS),
-        )
-        for (bodies, one), ways in sizes(measured, "beside", lacking).items()
-    ]
+    rows = []
+    for (bodies, one), ways in sizes(measured, "beside", lacking).items():
+        other = ways["crosshair"]
+        ours = (f"{ways[way].about['verdict']}, {times(ways[way], other)}" for way in OURS)
+        rows.append((CLAIMS[one], str(bodies), other.about["verdict"], *ours))
+    return rows
 
 
-def ratio(ours: Measured, other: Measured) -> str:
-    """What we concluded, and how many times faster than CrossHair."""
+def times(ours: Measured, other: Measured) -> str:
+    """How many times faster than CrossHair, which may not have come to an end."""
     at_least = "at least " if other.about["verdict"] == "not confirmed" else ""
-    return f"{ours.about['verdict']}, {at_least}{number(other.seconds / ours.seconds)} times faster"
+    return f"{at_least}×{number(other.seconds / ours.seconds)}"
+
+
+def aimed(way: str, ours: Measured, other: Measured) -> str:
+    """Whether a way is as much faster as is the aim."""
+    reaches = "reaches" if other.seconds / ours.seconds >= AIM else "falls short of"
+    return f"{way} {reaches} it ({times(ours, other)})"
 
 
 def ratios(measured: list[Measured]) -> Figures:
     """How many times faster than CrossHair the claim is proved."""
     header = ("a tick of a row", "bodies", "CrossHair", *OURS)
     ways = sizes(measured, "beside", 0)[4, False]
-    reached = {way: ways["crosshair"].seconds / ways[way].seconds for way in OURS}
-    verdicts = ", ".join(
-        f"{way} {'reaches' if times >= AIM else 'falls short of'} it" for way, times in reached.items()
-    )
-    text = f"The aim is {AIM} times, at 4 bodies that are all characters: {verdicts}."
+    judged = ", ".join(aimed(way, ways[way], ways["crosshair"]) for way in OURS)
+    text = f"The aim is ×{AIM} at 4 bodies that are all characters: {judged}."
     return Figures("How many times faster than CrossHair", text, header, beside(measured, 0))
 
 
@@ -143,7 +144,10 @@ def growth(measured: list[Measured]) -> Figures:
         claimed = "any number of bodies and characters" if way == "contract" else CLAIMS[one]
         shown = " ".join(f"×{number(factor)}" for factor in factors)
         rows.append((way, claimed, f"2 to {items[-1].about['bodies']}", shown, f"×{number(geometric_mean(factors))}"))
-    text = "On real numbers. Each factor is that of one body more; the contract does not know how many there are."
+    text = (
+        "On real numbers. Each factor is that of one body more. The contract does not know how many there are: its "
+        "factors show how steady the measurement is."
+    )
     return Figures("How time grows with bodies", text, ("way", "a tick of a row", "bodies", "factors", "mean"), rows)
 
 
