@@ -81,6 +81,7 @@ def term_of(number: Any) -> z3.ArithRef:
     return sum_of(parted(number).parts.items(), parted(number).constant)
 
 
+@lru_cache(maxsize=10_000)
 def variable(name: Variable) -> z3.ArithRef:
     """The solver's variable, as a real."""
     return z3.ToReal(z3.Int(name[0])) if name[1] else z3.Real(name[0])
@@ -103,18 +104,19 @@ class Symbolic:
         """The variable of a name."""
         return cls({(name, whole): Fraction(1)}, Fraction(0))
 
-    def plus(self, other: Any, factor: int) -> Symbolic:
-        """The sum with a multiple of another number."""
+    def plus(self, other: Any, sign: int) -> Symbolic:
+        """The sum with another number, or with the opposite of one."""
         if not isinstance(other, Symbolic):
-            return Symbolic(self.parts, self.constant + Fraction(other) * factor)
+            return Symbolic(self.parts, self.constant + Fraction(other) * sign)
         parts = dict(self.parts)
         for name, share in other.parts.items():
-            total = parts.get(name, 0) + share * factor
+            signed = share if sign > 0 else -share
+            total = parts[name] + signed if name in parts else signed
             if total:
-                parts[name] = Fraction(total)
+                parts[name] = total
             else:
-                parts.pop(name, None)
-        return Symbolic(parts, self.constant + other.constant * factor)
+                del parts[name]
+        return Symbolic(parts, self.constant + other.constant * sign)
 
     def __add__(self, other: Any) -> Symbolic:
         return self.plus(other, 1)
@@ -148,10 +150,12 @@ class Symbolic:
         parts = sorted(difference.parts.items())
         scale = 1 / parts[0][1]
         turned = scale < 0 and relation != "=="
-        scaled = tuple((name, share * scale) for name, share in parts)
+        constant = difference.constant
+        if scale != 1:
+            parts, constant = [(name, share * scale) for name, share in parts], constant * scale
         if turned:
             relation = "<=" if relation == "<" else "<"
-        formula = compared(scaled, difference.constant * scale, relation)
+        formula = compared(tuple(parts), constant, relation)
         return SymbolicTruth(formula, negative=turned)
 
     def __lt__(self, other: Any) -> Any:
