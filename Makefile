@@ -42,6 +42,14 @@ check-long: $(READY) ## check the claims that take long: the hunts for witnesses
 test: $(READY) ## run the tests
 	@$(BIN)/pytest -n 2
 
+# Seconds are those of the processor: what else runs on the machine counts for less.
+.PHONY: bench
+bench: $(READY) ## time the proofs, beside CrossHair; write docs/benchmarks.md
+	@mkdir -p build
+	@$(BIN)/pytest tests/benchmarks -o python_files='bench_*.py' -p no:xdist --benchmark-only --benchmark-quiet \
+		--benchmark-timer=time.process_time --benchmark-json=build/bench.json
+	@PYTHONPATH=tests $(BIN)/python -m benchmarks.page build/bench.json docs/benchmarks.md
+
 .PHONY: mutants
 mutants: $(READY) ## show that the properties catch deliberately broken rules
 	@$(BIN)/graphbody mutants

@@ -6,6 +6,7 @@ import pytest
 
 from properties.engine import explore as engine
 from properties.engine.explore import EngineError, explore
+from properties.engine.merge import merged
 from properties.given import Exact, Infeasible
 
 
@@ -146,3 +147,97 @@ def test_a_product_of_unknown_numbers_is_refused():
 def test_known_values_stop_where_a_premise_fails():
     with pytest.raises(Infeasible):
         Exact({"a": 1}).assume(False)
+
+
+def smaller_and_larger(given):
+    a, b = given.number("a"), given.number("b")
+    return merged(given, lambda _: [a, b] if a <= b else [b, a])
+
+
+def test_merged_paths_go_on_as_one():
+    def program(given):
+        smaller, larger = smaller_and_larger(given)
+        given.ensure("in order", smaller <= larger)
+        given.ensure("the same sum", smaller + larger == given.number("a") + given.number("b"))
+
+    outcome = explore(program)
+    assert outcome.proved
+    assert outcome.paths == 3
+
+
+def test_a_false_promise_of_merged_numbers_is_refuted_by_exact_values():
+    def program(given):
+        smaller, _ = smaller_and_larger(given)
+        given.ensure("the smaller is a", smaller == given.number("a"))
+
+    assert explore(program).counterexample.values["a"] > 0
+
+
+def test_two_merges_on_one_path_are_not_taken_for_each_other():
+    def program(given):
+        a = given.number("a")
+        (first,) = merged(given, lambda _: [a if a <= 1 else a - 1])
+        (second,) = merged(given, lambda _: [a if a <= 2 else a - 2])
+        given.ensure("the first is not the second", first == second)
+
+    assert explore(program).counterexample is not None
+
+
+@pytest.mark.parametrize("goes_on", [True, False])
+def test_what_is_merged_within_a_part_keeps_its_definition(goes_on):
+    def program(given):
+        a, b = given.number("a"), given.number("b")
+
+        def part(inner):
+            if b <= 1:
+                return [a]
+            (nearer,) = merged(inner, lambda _: [a if a <= 5 else a * 0])
+            return [nearer + 1]
+
+        (number,) = merged(given, part)
+        if goes_on and b > 2:
+            given.ensure("at most 6", number <= 6)
+        given.ensure("at most 6, or b is at most 1", (number <= 6) | (b <= 1))
+
+    assert explore(program).proved
+
+
+def test_a_broken_promise_within_a_part_is_found():
+    def program(given):
+        a = given.number("a")
+
+        def part(inner):
+            if a > 1:
+                inner.ensure("at most 2", a <= 2)
+            return [a]
+
+        merged(given, part)
+
+    assert explore(program).counterexample.values["a"] > 2
+
+
+def test_a_part_that_assumes_something_is_refused():
+    def program(given):
+        a = given.number("a")
+
+        def part(inner):
+            inner.assume(a > 1)
+            return [a]
+
+        merged(given, part)
+
+    with pytest.raises(EngineError, match="assumes"):
+        explore(program)
+
+
+def test_a_part_whose_paths_leave_values_out_is_noticed(monkeypatch):
+    real = engine.Path.decide
+
+    def forgetful(self, formula):
+        branch = real(self, formula)
+        self.exploration.forks[-1].other_open = False
+        return branch
+
+    monkeypatch.setattr(engine.Path, "decide", forgetful)
+    with pytest.raises(EngineError, match="of a part do not cover"):
+        explore(smaller_and_larger)

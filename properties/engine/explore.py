@@ -9,8 +9,11 @@ counted work, never seconds.
 from __future__ import annotations
 
 from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import dataclass, field
 from fractions import Fraction
+from itertools import count
+from typing import Any
 
 import z3
 
@@ -67,6 +70,15 @@ class Fork:
     other_open: bool
 
 
+@dataclass(frozen=True)
+class Merge:
+    """What a part returned, how that is defined, and the path that met it; held, so that it keeps its identity."""
+
+    met: tuple[z3.BoolRef, ...]
+    numbers: list[Any]
+    definitions: list[z3.BoolRef]
+
+
 def solver_for_reals() -> z3.Solver:
     """A solver for linear arithmetic with a budget of counted work."""
     solver = z3.SolverFor("QF_LIRA")
@@ -85,18 +97,27 @@ class Exploration:
         self.drawn = Drawn()
         self.covered: list[z3.BoolRef] = []
         self.outcome = Outcome()
+        self.names = count()
+        self.merges: dict[tuple[int, ...], Merge] = {}
+        self.definitions: list[z3.BoolRef] = []
 
     def run(self) -> Outcome:
         """Explore every path, or up to the first counterexample."""
-        try:
+        with suppress(Refuted):
+            self.explore_all()
+        return self.outcome
+
+    def explore_all(self) -> None:
+        """Explore every path."""
+        self.run_path()
+        while self.turn():
             self.run_path()
-            while self.turn():
-                self.run_path()
-        except Refuted:
-            return self.outcome
         if not self.outcome.open:
             self.check_coverage()
-        return self.outcome
+
+    def new_path(self) -> Path:
+        """A path that has met nothing yet."""
+        return Path(self)
 
     def turn(self) -> bool:
         """Turn to the next branch not yet taken; False if there is none or the budget of paths is spent."""
@@ -112,7 +133,7 @@ class Exploration:
 
     def run_path(self) -> None:
         """Run the program once, along the branches chosen so far."""
-        path = Path(self)
+        path = self.new_path()
         token = DECIDE.set(path.decide)
         self.solver.push()
         try:
@@ -151,7 +172,7 @@ class Exploration:
     def check_coverage(self) -> None:
         """Make sure that the paths, with what premises cut off, leave no values out."""
         solver = solver_for_reals()
-        if solver.check(z3.Not(z3.Or(self.covered)), *self.drawn.signs()) != z3.unsat:
+        if solver.check(z3.Not(z3.Or(self.covered)), *self.drawn.signs(), *self.definitions) != z3.unsat:
             raise EngineError("the paths explored do not cover all values")
 
 
@@ -166,6 +187,7 @@ class Path:
         self.decided: dict[int, bool] = {}
         self.model: z3.ModelRef | None = None
         self.promised: list[tuple[str, z3.BoolRef]] = []
+        self.merges = 0
 
     def number(self, name: str) -> Symbolic:
         """A symbolic real, at least 0."""
@@ -189,6 +211,12 @@ class Path:
         self.exploration.solver.add(literal)
         if self.model is not None and not z3.is_true(self.model.eval(literal, model_completion=True)):
             self.model = None
+
+    def define(self, definitions: list[z3.BoolRef]) -> None:
+        """Go on with variables that are defined; they mean nothing to the last model."""
+        self.exploration.solver.add(*definitions)
+        self.merges += 1
+        self.model = None
 
     def may_hold(self, formula: z3.BoolRef) -> bool:
         """Whether a formula can hold here, for all the solver knows; the last model may show it at once."""

@@ -6,7 +6,7 @@ A comparison is kept in one form, however it was written, so that what was asked
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from contextvars import ContextVar
 from fractions import Fraction
 from functools import lru_cache
@@ -65,12 +65,23 @@ def formula_of(truth: object) -> z3.BoolRef:
 @lru_cache(maxsize=100_000)
 def compared(parts: tuple[tuple[Variable, Fraction], ...], constant: Fraction, relation: str) -> z3.BoolRef:
     """The formula that a sum is less than 0 (`<`), at most 0 (`<=`) or 0 (`==`)."""
-    terms = [z3.Q(factor.numerator, factor.denominator) * variable(name) for name, factor in parts]
-    total = z3.Sum([*terms, z3.Q(constant.numerator, constant.denominator)])
+    total = sum_of(parts, constant)
     formula = {"<": total < 0, "<=": total <= 0, "==": total == 0}[relation]
     return z3.simplify(formula, som=True, arith_lhs=True, sort_sums=True)
 
 
+def sum_of(parts: Iterable[tuple[Variable, Fraction]], constant: Fraction) -> z3.ArithRef:
+    """The solver's term of a sum."""
+    terms = [z3.Q(factor.numerator, factor.denominator) * variable(name) for name, factor in parts]
+    return z3.Sum([*terms, z3.Q(constant.numerator, constant.denominator)])
+
+
+def term_of(number: Any) -> z3.ArithRef:
+    """The solver's term of a number, symbolic or not."""
+    return sum_of(parted(number).parts.items(), parted(number).constant)
+
+
+@lru_cache(maxsize=10_000)
 def variable(name: Variable) -> z3.ArithRef:
     """The solver's variable, as a real."""
     return z3.ToReal(z3.Int(name[0])) if name[1] else z3.Real(name[0])
@@ -93,18 +104,19 @@ class Symbolic:
         """The variable of a name."""
         return cls({(name, whole): Fraction(1)}, Fraction(0))
 
-    def plus(self, other: Any, factor: int) -> Symbolic:
-        """The sum with a multiple of another number."""
+    def plus(self, other: Any, sign: int) -> Symbolic:
+        """The sum with another number, or with the opposite of one."""
         if not isinstance(other, Symbolic):
-            return Symbolic(self.parts, self.constant + Fraction(other) * factor)
+            return Symbolic(self.parts, self.constant + Fraction(other) * sign)
         parts = dict(self.parts)
         for name, share in other.parts.items():
-            total = parts.get(name, 0) + share * factor
+            signed = share if sign > 0 else -share
+            total = parts[name] + signed if name in parts else signed
             if total:
-                parts[name] = Fraction(total)
+                parts[name] = total
             else:
-                parts.pop(name, None)
-        return Symbolic(parts, self.constant + other.constant * factor)
+                del parts[name]
+        return Symbolic(parts, self.constant + other.constant * sign)
 
     def __add__(self, other: Any) -> Symbolic:
         return self.plus(other, 1)
@@ -138,10 +150,12 @@ class Symbolic:
         parts = sorted(difference.parts.items())
         scale = 1 / parts[0][1]
         turned = scale < 0 and relation != "=="
-        scaled = tuple((name, share * scale) for name, share in parts)
+        constant = difference.constant
+        if scale != 1:
+            parts, constant = [(name, share * scale) for name, share in parts], constant * scale
         if turned:
             relation = "<=" if relation == "<" else "<"
-        formula = compared(scaled, difference.constant * scale, relation)
+        formula = compared(tuple(parts), constant, relation)
         return SymbolicTruth(formula, negative=turned)
 
     def __lt__(self, other: Any) -> Any:
@@ -161,6 +175,11 @@ class Symbolic:
 
     def __ne__(self, other: object) -> Any:
         return negated(self.compare(other, "=="))
+
+
+def parted(number: Any) -> Symbolic:
+    """A number as a sum, symbolic or not."""
+    return number if isinstance(number, Symbolic) else Symbolic({}, Fraction(number))
 
 
 def negated(truth: Any) -> Any:

@@ -1,0 +1,1 @@
+"""Programs and benchmarks; `make bench` runs the files named bench_*."""
