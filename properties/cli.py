@@ -272,7 +272,7 @@ def cross_check(
     directories: Annotated[list[Path], typer.Argument(help="Directories of exports.")],
     proofs: Annotated[bool, typer.Option("--proofs", help="Write a proof beside each file that is unsat.")] = False,
 ) -> None:
-    """Have cvc5 decide what was exported. Exit status 1 if an answer is not that of Z3, or files are missing or too many."""
+    """Have cvc5 decide what was exported. Exit status 1 if an answer is not that of Z3 or files are not as listed."""
     from importlib.util import find_spec
 
     from properties.evidence.cross import NoExport, answers, summary

@@ -1,6 +1,7 @@
 """The second solver: cvc5 decides every file of an export, and must answer as Z3 did.
 
-It reads the text of the files and nothing else of this project. Its budget is counted work.
+It reads the text of the files and nothing else of this project; what they say of themselves, as their status, is kept
+from it. Its budget is counted work.
 """
 
 from __future__ import annotations
@@ -60,7 +61,8 @@ def decide(proofs: bool, path: Path) -> str:
     said = ""
     try:
         while not (command := parser.nextCommand()).isNull():
-            said += command.invoke(solver, symbols)
+            if command.getCommandName() != "set-info":
+                said += command.invoke(solver, symbols)
     except RuntimeError as error:
         return " ".join(str(error).split())
     answer = said.strip()
@@ -91,9 +93,9 @@ def files_of(directory: Path) -> list[tuple[Path, str | None]]:
 def summary(found: list[Answer]) -> str:
     """How many files there are, what was answered, and how many are not as they must be."""
     count = Counter(answer.answered for answer in found)
-    unknown = len(found) - count["sat"] - count["unsat"]
     listed = sum(answer.listed is not None for answer in found)
     there = sum(answer.answered is not None for answer in found)
+    unknown = there - count["sat"] - count["unsat"]
     differ = sum(not answer.agreed for answer in found)
     return (
         f"{listed} obligations, {there} files; cvc5 answers {count['unsat']} unsat, {count['sat']} sat, "
