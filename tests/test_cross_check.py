@@ -4,6 +4,7 @@ import re
 import subprocess
 import sys
 from functools import partial
+from pathlib import Path
 
 import pytest
 import z3
@@ -19,6 +20,7 @@ from properties.evidence.hunt import in_order
 from spec.profiles import THESIS
 
 QUICK = ("claim/one-rule-applies", "claim/neighbours-not-twice", "claim/terrain/overshoot")
+GRAPHBODY = str(Path(sys.executable).parent / "graphbody")
 SIMPLE_SYMBOL = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
 
 
@@ -193,6 +195,8 @@ def test_proofs_are_written_beside_what_is_unsat_and_are_checked_steps(copy):
     path = min(copy.glob("prove-*.smt2"))
     assert decide(True, path) == "unsat"
     proof = path.with_suffix(".cpc").read_text()
+    assert proof.startswith("(declare-const")
+    assert proof.count("(") == proof.count(")")
     assert "(step" in proof
     assert ":rule trust" not in proof
 
@@ -223,3 +227,18 @@ def test_only_a_directory_with_nothing_in_it_is_exported_to(tmp_path):
         prepare(tmp_path / "new")
     with pytest.raises(NoExport, match=LISTED):
         list(answers(tmp_path / "new"))
+
+
+def test_the_command_exports_decides_and_fails_on_a_difference(tmp_path):
+    def graphbody(*arguments):
+        return subprocess.run([GRAPHBODY, *arguments], cwd=tmp_path, capture_output=True, text=True, check=False)
+
+    assert graphbody("check", "neighbours-not-twice", "--export", "out").returncode == 0
+    done = graphbody("cross-check", "out")
+    assert done.stdout == "out: 1 obligations, 1 files; cvc5 answers 0 unsat, 1 sat, 0 unknown; 0 differ\n"
+    assert done.returncode == 0
+    (tmp_path / "out" / "refute-neighbours-not-twice.smt2").unlink()
+    assert graphbody("cross-check", "out").returncode == 1
+    for refused in (("check", "neighbours-not-twice", "--export", "out"), ("cross-check", "nowhere")):
+        done = graphbody(*refused)
+        assert (done.returncode, done.stdout, len(done.stderr.splitlines())) == (2, "", 1)

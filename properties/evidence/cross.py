@@ -67,7 +67,9 @@ def decide(proofs: bool, path: Path) -> str:
         return " ".join(str(error).split())
     answer = said.strip()
     if proofs and answer == "unsat":
-        path.with_suffix(".cpc").write_bytes(solver.proofToString(solver.getProof()[0], cvc5.ProofFormat.CPC))
+        proof = solver.proofToString(solver.getProof()[0], cvc5.ProofFormat.CPC).decode()
+        # As an answer, a proof is in parentheses; as a file, a checker wants it without.
+        path.with_suffix(".cpc").write_text(proof.strip().removeprefix("(").removesuffix(")").strip() + "\n")
     return answer
 
 
