@@ -6,13 +6,16 @@ BIN    := $(VENV)/bin
 PIP    := $(BIN)/python -m pip --quiet --disable-pip-version-check
 PINNED := $(VENV)/.pinned
 READY  := $(VENV)/.ready
+SMTLIB := build/smtlib
+BROKEN := build/smtlib-mutants
+SOURCE := $(shell find spec reference properties -name '*.py')
 
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
 
 .PHONY: help
 help: ## list the targets
-	@awk -F ':.*## ' '/^[a-z.-]+:.*## / { printf "  make %-10s %s\n", $$1, $$2 }' $(firstword $(MAKEFILE_LIST))
+	@awk -F ':.*## ' '/^[a-z.-]+:.*## / { printf "  make %-11s %s\n", $$1, $$2 }' $(firstword $(MAKEFILE_LIST))
 
 # The packages exactly as pinned: made from nothing whenever the pins change.
 $(PINNED): requirements.txt
@@ -52,7 +55,20 @@ bench: $(READY) ## time the proofs, beside CrossHair; write docs/benchmarks.md
 
 .PHONY: mutants
 mutants: $(READY) ## show that the properties catch deliberately broken rules
-	@$(BIN)/graphbody mutants
+	@rm -rf $(BROKEN)
+	@$(BIN)/graphbody mutants --export $(BROKEN)
+
+# What was exported stands for the sources it was made from. An export is made anew, never added to.
+$(SMTLIB)/obligations.json: $(READY) $(SOURCE)
+	@rm -rf $(SMTLIB)
+	@$(BIN)/graphbody check --export $(SMTLIB)
+
+$(BROKEN)/obligations.json: $(READY) $(SOURCE)
+	@$(MAKE) --no-print-directory mutants
+
+.PHONY: cross-check
+cross-check: $(SMTLIB)/obligations.json $(BROKEN)/obligations.json ## have a second solver decide what Z3 has decided
+	@$(BIN)/graphbody cross-check $(SMTLIB) $(BROKEN)
 
 .PHONY: docs
 docs: $(READY) ## write the reference and the tables of formats anew, from the last check and check-long

@@ -35,6 +35,7 @@ def check(
     claim: Annotated[str | None, typer.Argument(help="A claim's ID; all but the long ones if left out.")] = None,
     long: Annotated[bool, typer.Option("--long", help="All claims that take long, instead.")] = False,
     seed: Annotated[int, typer.Option(help="In which order hunts go through shapes of the same size.")] = 0,
+    export: Annotated[Path | None, typer.Option(help="A directory for what Z3 decided, as SMT-LIB 2.")] = None,
 ) -> None:
     """Settle claims: prove, test or refute them. Exit status 1 if a verdict is not the expected one."""
     from rich.console import Console
@@ -46,7 +47,8 @@ def check(
     claims = chosen_claims(claim, long)
     if BUILD.exists() and not BUILD.is_dir():
         refuse(f"{BUILD}: expected a directory, to write results to")
-    showings = run_all(claims, seed)
+    prepare_export(export)
+    showings = run_all(claims, seed, export)
     settled = [settle(one, showings, WITNESSES) for one in claims]
     console = Console(width=None if sys.stdout.isatty() else 120)
     show_table(settled, console)
@@ -55,9 +57,25 @@ def check(
         path = RESULTS_LONG if long else RESULTS
         write_results(settled, path)
         console.print(f"\n{len(settled)} claims; results in {path}", markup=False)
+    if export is not None:
+        from properties.evidence.export import list_export
+
+        console.print(f"{list_export(export, showings, seed)} obligations in {export}", markup=False)
     show_surprises(settled, console)
     if not all(one.as_expected for one in settled):
         raise typer.Exit(1)
+
+
+def prepare_export(directory: Path | None) -> None:
+    """Make the directory of an export, if there is to be one."""
+    if directory is None:
+        return
+    from properties.evidence.export import Unwritable, prepare
+
+    try:
+        prepare(directory)
+    except Unwritable as error:
+        refuse(str(error))
 
 
 def chosen_claims(name: str | None, long: bool) -> Sequence[Claim]:
@@ -78,7 +96,7 @@ def chosen_claims(name: str | None, long: bool) -> Sequence[Claim]:
     return [found]
 
 
-def run_all(claims: Sequence[Claim], seed: int) -> dict[Job, Showing]:
+def run_all(claims: Sequence[Claim], seed: int, export: Path | None) -> dict[Job, Showing]:
     """Run the evidence of claims in processes, with progress on a terminal."""
     from rich.console import Console
     from rich.progress import Progress
@@ -93,7 +111,7 @@ def run_all(claims: Sequence[Claim], seed: int) -> dict[Job, Showing]:
             progress.update(task, completed=done, total=total)
 
         try:
-            showings = run(claims, executor, tell, seed)
+            showings = run(claims, executor, tell, seed, export)
         except KeyboardInterrupt:
             executor.shutdown(wait=False, cancel_futures=True)
             print("graphbody: interrupted; nothing was written", file=sys.stderr)
@@ -253,18 +271,54 @@ def handbook(docs: Annotated[Path, typer.Argument(help="The directory of the doc
         refuse(str(error))
 
 
-@app.command()
-def mutants() -> None:
-    """Change the rules' source in one place at a time; each change must be caught by some evidence."""
-    from properties.evidence.mutate import fates
+@app.command(name="cross-check")
+def cross_check(
+    directories: Annotated[list[Path], typer.Argument(help="Directories of exports.")],
+    proofs: Annotated[bool, typer.Option("--proofs", help="Write a proof beside each file that is unsat.")] = False,
+) -> None:
+    """Have cvc5 decide what was exported. Exit status 1 if an answer is not that of Z3 or files are not as listed."""
+    from importlib.util import find_spec
 
+    from properties.evidence.cross import NoExport, answers, summary
+
+    if find_spec("cvc5") is None:
+        refuse("cross-check needs the package cvc5")
+    status = 0
+    for directory in directories:
+        try:
+            found = list(answers(directory, proofs))
+        except NoExport as error:
+            refuse(str(error))
+        differing = [answer for answer in found if not answer.agreed]
+        print(*differing, f"{directory}: {summary(found)}", sep="\n")
+        if differing or not found:
+            status = 1
+    if status:
+        raise typer.Exit(status)
+
+
+@app.command()
+def mutants(
+    export: Annotated[Path | None, typer.Option(help="A directory for the proofs that fail, as SMT-LIB 2.")] = None,
+) -> None:
+    """Change the rules' source in one place at a time; each change must be caught by some evidence."""
+    from properties.evidence.mutate import fates, file_of
+
+    prepare_export(export)
     survivors = total = 0
-    for fate in fates():
+    exported = {}
+    for fate in fates(export):
         total += 1
+        if export is not None and fate.by_proof:
+            exported[file_of(export, total, fate.mutant).name] = "sat"
         survivors += fate.caught_by is None
         verdict = f"caught by {fate.caught_by}" if fate.caught_by else f"SURVIVES {fate.trouble}"
         print(f"{fate.mutant.chapter}: {fate.mutant.change}\n    {verdict}", flush=True)
     print(f"{total} mutants, {total - survivors} caught, {survivors} survive")
+    if export is not None:
+        from properties.evidence.export import write_list
+
+        print(f"{write_list(export, exported)} failed obligations in {export}")
     if survivors or not total:
         raise typer.Exit(1)
 

@@ -8,8 +8,9 @@ counted work, never seconds.
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from contextlib import suppress
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager, suppress
+from contextvars import ContextVar
 from dataclasses import dataclass, field
 from fractions import Fraction
 from itertools import count
@@ -79,6 +80,14 @@ class Merge:
     definitions: list[z3.BoolRef]
 
 
+@dataclass(frozen=True)
+class Judged:
+    """What was promised on a path, denied, and the literals under which it was judged."""
+
+    literals: list[z3.BoolRef]
+    denials: list[z3.BoolRef]
+
+
 def solver_for_reals() -> z3.Solver:
     """A solver for linear arithmetic with a budget of counted work."""
     solver = z3.SolverFor("QF_LIRA")
@@ -95,7 +104,8 @@ class Exploration:
         self.solver = solver_for_reals()
         self.forks: list[Fork] = []
         self.drawn = Drawn()
-        self.covered: list[z3.BoolRef] = []
+        self.covered: list[list[z3.BoolRef]] = []
+        self.judged: list[Judged] = []
         self.outcome = Outcome()
         self.names = count()
         self.merges: dict[tuple[int, ...], Merge] = {}
@@ -147,7 +157,7 @@ class Exploration:
             DECIDE.reset(token)
         if path.met < len(self.forks):
             raise EngineError("a replay met fewer forks than the run it repeats")
-        self.covered.append(z3.And([z3.BoolVal(True), *path.literals]))
+        self.covered.append(path.literals)
 
     def possible(self, *formulas: z3.BoolRef) -> bool | None:
         """Whether formulas can hold on the path so far; None if the solver does not know."""
@@ -169,10 +179,15 @@ class Exploration:
         self.outcome.counterexample = Counterexample(tuple(exact.broken), values)
         raise Refuted
 
+    @property
+    def places(self) -> list[z3.BoolRef]:
+        """Where the paths were, and what premises cut off, each as one formula."""
+        return [z3.And([z3.BoolVal(True), *literals]) for literals in self.covered]
+
     def check_coverage(self) -> None:
         """Make sure that the paths, with what premises cut off, leave no values out."""
         solver = solver_for_reals()
-        if solver.check(z3.Not(z3.Or(self.covered)), *self.drawn.signs(), *self.definitions) != z3.unsat:
+        if solver.check(z3.Not(z3.Or(self.places)), *self.drawn.signs(), *self.definitions) != z3.unsat:
             raise EngineError("the paths explored do not cover all values")
 
 
@@ -251,8 +266,7 @@ class Path:
         """Cut off what does not satisfy the premise; what was promised before is judged without it."""
         self.judge()
         formula = formula_of(premise)
-        cut = z3.And([*self.literals, z3.Not(formula)])
-        self.exploration.covered.append(cut)
+        self.exploration.covered.append([*self.literals, z3.Not(formula)])
         self.take(formula)
         if self.exploration.possible() is False:
             raise Infeasible
@@ -265,7 +279,11 @@ class Path:
     def judge(self) -> None:
         """Judge what was promised since the last time: all at once, and one by one if that fails."""
         promised, self.promised = self.promised, []
-        if not promised or self.exploration.possible(z3.Or([denial for _, denial in promised])) is False:
+        if not promised:
+            return
+        denials = [denial for _, denial in promised]
+        self.exploration.judged.append(Judged(list(self.literals), denials))
+        if self.exploration.possible(z3.Or(denials)) is False:
             return
         for name, denial in promised:
             broken = self.exploration.possible(denial)
@@ -279,6 +297,25 @@ class Path:
         self.exploration.outcome.rules.add(rule)
 
 
+Watch = Callable[[Exploration], None]
+WATCH: ContextVar[Watch | None] = ContextVar("watch", default=None)
+
+
+@contextmanager
+def watched_by(watch: Watch) -> Iterator[None]:
+    """Show a watch every exploration when it is over."""
+    token = WATCH.set(watch)
+    try:
+        yield
+    finally:
+        WATCH.reset(token)
+
+
 def explore(program: Program) -> Outcome:
     """Judge the promises of a program for all values it may be given."""
-    return Exploration(program).run()
+    exploration = Exploration(program)
+    outcome = exploration.run()
+    watch = WATCH.get()
+    if watch is not None:
+        watch(exploration)
+    return outcome

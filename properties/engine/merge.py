@@ -48,7 +48,7 @@ class PartExploration(Exploration):
         """Make sure that the paths, none of which a premise may cut off, leave out no values that lead here."""
         if len(self.covered) != len(self.returned):
             raise EngineError("a part that is merged assumes something")
-        if self.solver.check(z3.Not(z3.Or(self.covered)), *self.definitions) != z3.unsat:
+        if self.solver.check(z3.Not(z3.Or(self.places)), *self.definitions) != z3.unsat:
             raise EngineError("the paths of a part do not cover all values")
 
     def merge(self, numbers: Sequence[Any]) -> Any:
@@ -64,7 +64,7 @@ class PartExploration(Exploration):
         """A new variable, defined as the number of the path that the values take."""
         merged = Symbolic.of(f"merged {next(self.names)}")
         term = term_of(numbers[-1])
-        for case, number in zip(self.covered[:-1], numbers[:-1], strict=True):
+        for case, number in zip(self.places[:-1], numbers[:-1], strict=True):
             term = z3.If(case, term_of(number), term)
         self.definitions.append(term_of(merged) == term)
         return merged

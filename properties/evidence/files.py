@@ -8,6 +8,9 @@ BUILD = Path("build")
 WITNESSES = BUILD / "witnesses"
 RESULTS, RESULTS_LONG = BUILD / "results.json", BUILD / "results-long.json"
 
+LISTED = "obligations.json"
+"""In the directory of an export: its files, and what is to be answered of each."""
+
 
 def file_name(claim_id: str) -> str:
     """The name of a claim's witness, without its ending."""

@@ -53,13 +53,17 @@ def promise_of(hunt: Hunt, shape: Shape, profile: Profile, given: Given) -> None
     given.ensure(hunt.id, hunt.promise(deed, fired))
 
 
-def go(hunt: Hunt, profile: Profile, seed: int = 0) -> Quarry:
-    """Go through the shapes of a hunt, the smallest first and equals in any order, until a witness is found."""
-    quarry, order = Quarry(), shapes(hunt.most_bodies, hunt.most_edges, hunt.guided)
+def in_order(hunt: Hunt, seed: int) -> list[Shape]:
+    """The shapes of a hunt, the smallest first and equals in any order."""
+    order = shapes(hunt.most_bodies, hunt.most_edges, hunt.guided)
     Random(seed).shuffle(order)
-    for shape in sorted(order, key=lambda one: one.size):
-        if len(shape.stands) < hunt.least_bodies:
-            continue
+    return [one for one in sorted(order, key=lambda one: one.size) if len(one.stands) >= hunt.least_bodies]
+
+
+def go(hunt: Hunt, profile: Profile, seed: int = 0) -> Quarry:
+    """Go through the shapes of a hunt until a witness is found."""
+    quarry = Quarry()
+    for shape in in_order(hunt, seed):
         outcome: Outcome = explore(partial(judged, partial(promise_of, hunt, shape), profile))
         quarry.paths += outcome.paths
         quarry.open += outcome.open

@@ -12,6 +12,7 @@ import importlib
 import sys
 from collections.abc import Iterator
 from concurrent.futures import ProcessPoolExecutor
+from contextlib import AbstractContextManager, nullcontext
 from copy import deepcopy
 from dataclasses import dataclass
 from multiprocessing import get_context
@@ -47,6 +48,11 @@ class Fate:
     mutant: Mutant
     caught_by: str | None
     trouble: str = ""
+
+    @property
+    def by_proof(self) -> bool:
+        """Whether an obligation caught it; what else does is named as a count or a sample."""
+        return self.caught_by is not None and not self.caught_by.startswith(("count: ", "sample: "))
 
 
 def keyword(call: ast.Call, name: str) -> ast.keyword:
@@ -154,20 +160,39 @@ def put_in_place(mutant: Mutant) -> None:
     setattr(package, mutant.chapter, module)
 
 
-def try_out(mutant: Mutant) -> Fate:
-    """Run the evidence on a mutant, in a process of its own, up to the first that fails."""
+def try_out(mutant: Mutant, export: Path | None = None) -> Fate:
+    """Run the evidence on a mutant, in a process of its own, up to the first that fails.
+
+    With `export`, what an obligation explored that fails is written to that file, in SMT-LIB 2.
+    """
     try:
         put_in_place(mutant)
         from properties.evidence.settle import first_failure
 
-        return Fate(mutant, first_failure())
+        with nullcontext() if export is None else broken_recorded(export):
+            return Fate(mutant, first_failure())
     except Exception as error:
         return Fate(mutant, None, f"crash: {type(error).__name__}: {error}")
 
 
-def fates() -> Iterator[Fate]:
+def broken_recorded(path: Path) -> AbstractContextManager[None]:
+    """Write what was explored up to a counterexample to a file."""
+    from properties.engine.explore import watched_by
+    from properties.evidence.export import Recorder
+
+    return watched_by(Recorder(path.parent, path.stem, only_broken=True))
+
+
+def fates(export: Path | None = None) -> Iterator[Fate]:
     """Try all mutants, side by side."""
     context = get_context("forkserver")
     context.set_forkserver_preload(["z3", "hypothesis", "msgspec", "numpy", "properties.evidence.mutate"])
     with ProcessPoolExecutor(cpu_count(), mp_context=context, max_tasks_per_child=1) as pool:
-        yield from pool.map(try_out, mutants())
+        changes = mutants()
+        files = [None if export is None else file_of(export, number, one) for number, one in enumerate(changes, 1)]
+        yield from pool.map(try_out, changes, files)
+
+
+def file_of(directory: Path, number: int, mutant: Mutant) -> Path:
+    """The file for the obligation that a mutant fails."""
+    return directory / f"mutant-{number:03}-{mutant.chapter}.smt2"

@@ -167,12 +167,23 @@ def jobs_of(claim: Claim, seed: int = 0) -> dict[Job, Callable[[], Showing]]:
 
 
 def run(
-    claims: Iterable[Claim], executor: Executor, progress: Callable[[int, int], None], seed: int = 0
+    claims: Iterable[Claim],
+    executor: Executor,
+    progress: Callable[[int, int], None],
+    seed: int = 0,
+    export: Path | None = None,
 ) -> dict[Job, Showing]:
-    """Run all jobs of some claims, each once; `progress` is told how many are done and how many there are."""
+    """Run all jobs of some claims, each once; `progress` is told how many are done and how many there are.
+
+    With `export`, the jobs that explore write what they explored to that directory.
+    """
     jobs: dict[Job, Callable[[], Showing]] = {}
     for claim in claims:
         jobs.update(jobs_of(claim, seed))
+    if export is not None:
+        from properties.evidence.export import exported
+
+        jobs = exported(export, jobs)
     first = sorted(jobs, key=lambda job: job[0] != "sample")
     running: dict[Future[Showing], Job] = {executor.submit(jobs[job]): job for job in first}
     showings: dict[Job, Showing] = {}
