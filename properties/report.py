@@ -99,9 +99,7 @@ def listed(names: Sequence[str]) -> str:
 
 def valued(values: Texts) -> str:
     """Values that are not 0 and not false, by name."""
-    telling = [
-        name if value is True else f"{name} = {value}" for name, value in values.items() if value not in (False, "0")
-    ]
+    telling = {name: value for name, value in values.items() if value not in (False, "0")}
     return ", ".join(name if value is True else f"{name} = {value}" for name, value in telling.items()) or "all are 0"
 
 

@@ -152,7 +152,7 @@ class Exploration:
             self.outcome.sequences.add(tuple(path.fired))
             path.judge()
             if self.outcome.witness is None and path.promises and not self.outcome.open:
-                self.outcome.witness = self.witness()
+                self.outcome.witness = self.witness(path)
         except Infeasible:
             path.judge()
         finally:
@@ -177,13 +177,12 @@ class Exploration:
         known = self.premises.setdefault(name, z3.Bool(f"premise: {name}"))
         self.solver.add(z3.Implies(known, formula))
 
-    def witness(self) -> dict[str, Fraction | bool] | None:
+    def witness(self, path: Path) -> dict[str, Fraction | bool] | None:
         """Simple values that satisfy all premises of this path, and on exact numbers keep all its promises."""
         if self.solver.check(*self.premises.values()) != z3.sat:
             return None
         before = work_so_far()
-        self.solver.add(*self.premises.values())
-        values = simplest_values(self.solver, self.drawn, z3.BoolVal(True))
+        values = simplest_values(path.solver(), self.drawn, z3.BoolVal(True))
         exact = self.replay("the witness of the premises", values)
         if exact.broken or not exact.promises:
             raise EngineError(f"the witness of the premises does not keep the promises on exact numbers: {values}")
@@ -200,10 +199,9 @@ class Exploration:
                 raise EngineError(f"{what} breaks a premise: {values}") from None
         return exact
 
-    def refute(self, promise: str, denial: z3.BoolRef) -> None:
+    def refute(self, path: Path, promise: str, denial: z3.BoolRef) -> None:
         """Find the simplest values that break a promise, and believe them when they do so on exact numbers."""
-        self.solver.add(*self.premises.values())
-        values = simplest_values(self.solver, self.drawn, denial)
+        values = simplest_values(path.solver(), self.drawn, denial)
         exact = self.replay(f"{promise}: the counterexample", values)
         if promise not in exact.broken:
             raise EngineError(f"{promise}: the counterexample does not replay on exact numbers: {values}")
@@ -315,7 +313,13 @@ class Path:
             if broken is None:
                 self.exploration.outcome.open.append(f"{name}: the solver does not know")
             if broken:
-                self.exploration.refute(name, denial)
+                self.exploration.refute(self, name, denial)
+
+    def solver(self) -> z3.Solver:
+        """A solver of its own for the values of this path."""
+        solver = solver_for_reals()
+        solver.add(*self.exploration.drawn.signs(), *self.literals)
+        return solver
 
     def saw(self, rule: str) -> None:
         """Note that a rule fired on a feasible path."""
