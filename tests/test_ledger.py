@@ -172,7 +172,7 @@ def test_a_look_is_what_a_body_does_from_a_clearance_to_the_walk_after_it():
 def test_the_ledger_says_what_was_used_what_was_not_and_what_no_proof_states():
     claim = settling.by_id("claim/no-overlap")
     one = Showing("z3", 0.0, 2, exhaustive=True, used=("condition/in-order", "a law"), resources=(7,))
-    showings = {job: one for job in settling.jobs_of(claim)}
+    showings = dict.fromkeys(settling.jobs_of(claim), one)
     first = next(iter(showings))
     showings[first] = replace(one, unused=("condition/edges-long",), looks=frozenset({("a",), ("b",)}))
     showings["sample", "thesis", "True"] = Showing("hypothesis", 0.0, 9, looks=frozenset({("b",), ("c",)}))

@@ -5,7 +5,6 @@ A result is stored with the hash of the sources that it is about. It is never gi
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from fractions import Fraction
@@ -17,6 +16,7 @@ import msgspec
 
 from properties.evidence.showing import Job, Showing
 from properties.evidence.sources import sources
+from reference.formats.files import write_whole
 
 
 class Stored(msgspec.Struct, frozen=True):
@@ -51,12 +51,8 @@ class Store:
         return {job: found for job in jobs if (found := self.get(job)) is not None}
 
     def put(self, job: Job, showing: Showing) -> None:
-        """Keep a result; a reader sees all of it or nothing, also if this is interrupted."""
-        path = self.path(job)
-        path.parent.mkdir(parents=True, exist_ok=True)
-        partial = path.with_suffix(f".{os.getpid()}")
-        partial.write_bytes(msgspec.json.encode(Stored(job, self.sources, showing), enc_hook=str))
-        partial.replace(path)
+        """Keep a result, also if it is interrupted: all of it, or what was there before."""
+        write_whole(self.path(job), msgspec.json.encode(Stored(job, self.sources, showing), enc_hook=str))
 
     def run(self, job: Job, evidence: Callable[[], Showing]) -> Showing:
         """Run a job and keep what it showed, unless the sources have changed since the run began."""
