@@ -112,7 +112,6 @@ class Exploration:
         self.premises: dict[str, z3.BoolRef] = {}
         self.forks: list[Fork] = []
         self.drawn = Drawn()
-        self.aside = 0
         self.covered: list[z3.BoolRef] = []
         self.outcome = Outcome()
 
@@ -181,12 +180,10 @@ class Exploration:
         """Simple values that satisfy all premises of this path, and on exact numbers keep all its promises."""
         if self.solver.check(*self.premises.values()) != z3.sat:
             return None
-        before = work_so_far()
-        values = simplest_values(path.solver(), self.drawn, z3.BoolVal(True))
+        values = simplest_values(self.drawn, path.literals)
         exact = self.replay("the witness of the premises", values)
         if exact.broken or not exact.promises:
             raise EngineError(f"the witness of the premises does not keep the promises on exact numbers: {values}")
-        self.aside += work_so_far() - before
         return values
 
     def replay(self, what: str, values: dict[str, Fraction | bool]) -> Exact:
@@ -201,7 +198,7 @@ class Exploration:
 
     def refute(self, path: Path, promise: str, denial: z3.BoolRef) -> None:
         """Find the simplest values that break a promise, and believe them when they do so on exact numbers."""
-        values = simplest_values(path.solver(), self.drawn, denial)
+        values = simplest_values(self.drawn, [*path.literals, denial])
         exact = self.replay(f"{promise}: the counterexample", values)
         if promise not in exact.broken:
             raise EngineError(f"{promise}: the counterexample does not replay on exact numbers: {values}")
@@ -315,12 +312,6 @@ class Path:
             if broken:
                 self.exploration.refute(self, name, denial)
 
-    def solver(self) -> z3.Solver:
-        """A solver of its own for the values of this path."""
-        solver = solver_for_reals()
-        solver.add(*self.exploration.drawn.signs(), *self.literals)
-        return solver
-
     def saw(self, rule: str) -> None:
         """Note that a rule fired on a feasible path."""
         self.fired.append(rule)
@@ -329,7 +320,7 @@ class Path:
 
 def explore(program: Program, seed: int = 0) -> Outcome:
     """Judge the promises of a program for all values it may be given."""
-    before, exploration = work_so_far(), Exploration(program, seed)
-    outcome = exploration.run()
-    outcome.resources = work_so_far() - before - exploration.aside
+    before = work_so_far()
+    outcome = Exploration(program, seed).run()
+    outcome.resources = work_so_far() - before
     return outcome
