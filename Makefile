@@ -41,6 +41,10 @@ check: $(READY) ## check the specification: every property against every rule an
 check-long: $(READY) ## check the claims that take long: the hunts for witnesses on small levels
 	@$(BIN)/graphbody check --long
 
+.PHONY: ledger
+ledger: $(READY) ## print what every verdict rests on, with the spread of the solver's work over its seeds
+	@$(BIN)/graphbody check --explain
+
 .PHONY: test
 test: $(READY) ## run the tests
 	@$(BIN)/pytest -n 2

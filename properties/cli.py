@@ -13,7 +13,9 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from properties.claims.claim import Claim
-    from properties.evidence.settle import Job, Showing
+    from properties.evidence.settle import Jobs
+    from properties.evidence.showing import Job, Showing
+    from properties.evidence.store import Store
 
 app = typer.Typer(
     help="Graph-based 2D character movement: check its specification, play it, look it up.",
@@ -36,26 +38,39 @@ def check(
     long: Annotated[bool, typer.Option("--long", help="All claims that take long, instead.")] = False,
     seed: Annotated[int, typer.Option(help="In which order hunts go through shapes of the same size.")] = 0,
     export: Annotated[Path | None, typer.Option(help="A directory for what Z3 decided, as SMT-LIB 2.")] = None,
+    ledgers: Annotated[
+        bool, typer.Option("--explain", help="Print what each verdict rests on; proves again with other seeds.")
+    ] = False,
 ) -> None:
-    """Settle claims: prove, test or refute them. Exit status 1 if a verdict is not the expected one."""
+    """Settle claims: prove, test or refute them. Exit status 1 if a verdict is not the expected one.
+
+    What an earlier run has shown of the same sources is taken over.
+    """
     from rich.console import Console
 
-    from properties.evidence.files import BUILD, RESULTS, RESULTS_LONG, WITNESSES
-    from properties.evidence.settle import settle
-    from properties.report import show_effort, show_surprises, show_table, write_results
+    from properties.evidence.files import BUILD, JOBS, RESULTS, RESULTS_LONG, WITNESSES
+    from properties.evidence.settle import all_jobs, settle
+    from properties.evidence.sources import sources
+    from properties.evidence.store import Store
+    from properties.report import show_effort, show_ledgers, show_surprises, show_table, write_results
 
     claims = chosen_claims(claim, long)
     if BUILD.exists() and not BUILD.is_dir():
         refuse(f"{BUILD}: expected a directory, to write results to")
     prepare_export(export)
-    showings = run_all(claims, seed, export)
-    settled = [settle(one, showings, WITNESSES) for one in claims]
+    store = Store(JOBS if export is None else export / "jobs", sources())
+    showings = run_all(exporting(export, all_jobs(claims, seed, ledgers)), store)
+    if sources() != store.sources:
+        refuse("the sources have changed during the run; nothing was written: run it again")
+    settled = [settle(one, showings, WITNESSES, seed) for one in claims]
     console = Console(width=None if sys.stdout.isatty() else 120)
     show_table(settled, console)
     show_effort(showings, console)
+    if ledgers:
+        show_ledgers(settled, showings, console)
     if claim is None:
         path = RESULTS_LONG if long else RESULTS
-        write_results(settled, path)
+        write_results(settled, showings, store.sources, path)
         console.print(f"\n{len(settled)} claims; results in {path}", markup=False)
     if export is not None:
         from properties.evidence.export import list_export
@@ -78,6 +93,15 @@ def prepare_export(directory: Path | None) -> None:
         refuse(str(error))
 
 
+def exporting(directory: Path | None, jobs: Jobs) -> Jobs:
+    """The same jobs, which also export what they explore, if there is a directory to do so."""
+    if directory is None:
+        return jobs
+    from properties.evidence.export import exported
+
+    return exported(directory, jobs)
+
+
 def chosen_claims(name: str | None, long: bool) -> Sequence[Claim]:
     """The claim of that name, or all that take long, or all that do not."""
     from properties.claims.catalogue import CLAIMS
@@ -96,8 +120,8 @@ def chosen_claims(name: str | None, long: bool) -> Sequence[Claim]:
     return [found]
 
 
-def run_all(claims: Sequence[Claim], seed: int, export: Path | None) -> dict[Job, Showing]:
-    """Run the evidence of claims in processes, with progress on a terminal."""
+def run_all(jobs: Jobs, store: Store) -> dict[Job, Showing]:
+    """Run jobs in processes, with progress on a terminal; those that were done before are taken over."""
     from rich.console import Console
     from rich.progress import Progress
 
@@ -110,11 +134,15 @@ def run_all(claims: Sequence[Claim], seed: int, export: Path | None) -> dict[Job
         def tell(done: int, total: int) -> None:
             progress.update(task, completed=done, total=total)
 
+        before = len(store.current(jobs))
+        if before:
+            print(f"{before} of {len(jobs)} pieces of evidence are taken over from {store.directory}")
         try:
-            showings = run(claims, executor, tell, seed, export)
+            showings = run(jobs, executor, store, tell)
         except KeyboardInterrupt:
             executor.shutdown(wait=False, cancel_futures=True)
-            print("graphbody: interrupted; nothing was written", file=sys.stderr)
+            kept = f"{len(store.current(jobs))} of {len(jobs)} pieces of evidence are kept"
+            print(f"graphbody: interrupted; {kept}, the next run goes on from there", file=sys.stderr)
             raise typer.Exit(130) from None
         executor.shutdown()
     return showings

@@ -14,7 +14,10 @@ from typing import Any
 
 from properties.claims.catalogue import CLAIMS
 from properties.claims.claim import Claim
-from properties.evidence.files import WITNESSES, file_name
+from properties.evidence.files import RESULTS, RESULTS_LONG, WITNESSES, file_name
+from properties.evidence.sources import sources
+from properties.results import Results
+from reference.formats.files import FormatError, read
 from reference.play import LIBRARY, library, play
 from reference.simulator import Fulfilled
 from spec.models import Model
@@ -94,8 +97,26 @@ def explain(statement: Statement) -> Iterator[str]:
     """All about a statement, as lines of text."""
     yield f"{statement.id}  ({statement.kind})"
     yield f"  {statement.sentence}"
+    if isinstance(statement, Claim):
+        yield from (f"  last run: {line}" for line in last_run(statement))
     for fact in facts(statement):
         yield f"  {fact.label}: {fact.text}"
+
+
+def last_run(claim: Claim) -> Iterator[str]:
+    """What the last run of the check showed of a claim; a run about other sources is stale and shows nothing."""
+    path = RESULTS_LONG if claim.long else RESULTS
+    if not path.exists():
+        return
+    try:
+        run = read(path, Results)
+    except FormatError as error:
+        yield str(error)
+        return
+    if run.sources != sources():
+        yield f"stale: {path} is about other sources; run it again"
+        return
+    yield from (f"{result.verdict}, by {result.engine}" for result in run.claims if result.id == claim.id)
 
 
 def facts(statement: Statement) -> Iterator[Fact]:

@@ -14,6 +14,8 @@ from typing import Any, Protocol
 
 from spec.number import Truth
 
+HAS_LENGTH, HAS_WIDTH = "edges have a length", "bodies have a width"
+
 
 class Infeasible(Exception):
     """The values drawn do not satisfy a premise: this run says nothing."""
@@ -22,8 +24,8 @@ class Infeasible(Exception):
 class Given(Protocol):
     """A source of values, and the judge of what is assumed and ensured of them."""
 
-    def number(self, name: str) -> Any:
-        """An arbitrary number, at least 0."""
+    def number(self, name: str, premise: str = "") -> Any:
+        """An arbitrary number, at least 0; `premise` is the ID of the condition that says so, if one does."""
 
     def natural(self, name: str) -> Any:
         """An arbitrary whole number, at least 0."""
@@ -31,8 +33,8 @@ class Given(Protocol):
     def flag(self, name: str) -> bool:
         """Either truth value."""
 
-    def assume(self, premise: Truth) -> None:
-        """Go on only where the premise holds."""
+    def assume(self, premise: Truth, name: str = ...) -> None:
+        """Go on only where the premise holds; its name is the ID of a condition, or says what is assumed."""
 
     def ensure(self, name: str, promise: Truth) -> None:
         """Judge a promise."""
@@ -43,13 +45,14 @@ class Given(Protocol):
 
 @dataclass
 class Exact:
-    """Values that are known: those of a counterexample, as exact numbers. Names not given are 0 and False."""
+    """Values that are known, as exact numbers or their text. Names not given are 0 and False."""
 
-    values: Mapping[str, Fraction | bool]
+    values: Mapping[str, Fraction | bool | str]
     broken: list[str] = field(default_factory=list)
+    promises: int = 0
     rules: set[str] = field(default_factory=set)
 
-    def number(self, name: str) -> Fraction:
+    def number(self, name: str, premise: str = "") -> Fraction:
         """The number of that name."""
         return Fraction(self.values.get(name, 0))
 
@@ -61,13 +64,14 @@ class Exact:
         """The truth value of that name."""
         return bool(self.values.get(name, False))
 
-    def assume(self, premise: Truth) -> None:
+    def assume(self, premise: Truth, name: str = "") -> None:
         """Stop where the premise does not hold."""
         if not premise:
             raise Infeasible
 
     def ensure(self, name: str, promise: Truth) -> None:
-        """Note a promise that is broken."""
+        """Note a promise, and whether it is broken."""
+        self.promises += 1
         if not promise:
             self.broken.append(name)
 

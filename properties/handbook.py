@@ -14,6 +14,7 @@ from shutil import copyfile, rmtree
 
 from properties.claims.claim import Claim
 from properties.evidence.files import RESULTS, RESULTS_LONG
+from properties.evidence.sources import sources
 from properties.explain import Fact, everything, facts, firings, witness_of
 from properties.pages import with_tables
 from properties.results import ClaimResult, Results
@@ -72,13 +73,16 @@ def results() -> dict[str, ClaimResult]:
     """What the last runs of the check showed, by claim.
 
     Raises:
-        NoEvidence: if a run is missing.
+        NoEvidence: if a run is missing, or is about other sources.
     """
     try:
-        runs = [read(path, Results) for path in (RESULTS, RESULTS_LONG)]
+        runs = {path: read(path, Results) for path in (RESULTS, RESULTS_LONG)}
     except FormatError as error:
         raise NoEvidence(f"{error}; run `make check` and `make check-long` first") from None
-    found = {result.id: result for run in runs for result in run.claims}
+    stale = [path for path, run in runs.items() if run.sources != sources()]
+    if stale:
+        raise NoEvidence(f"{stale[0]} is stale, it is about other sources; run `make check` and `make check-long`")
+    found = {result.id: result for run in runs.values() for result in run.claims}
     missing = [name for name, one in everything().items() if isinstance(one, Claim) and name not in found]
     if missing:
         raise NoEvidence(f"{missing[0]} is in no results; run `make check` and `make check-long` first")

@@ -17,7 +17,7 @@ from properties.cli import app
 from properties.conformance.validate import MOST_IN_PLANE
 from properties.conformance.ways import MOST_DECISIONS, MOST_OUTCOMES, MOST_WAYS
 from properties.pages import with_tables
-from properties.results import ClaimResult, Results
+from properties.results import ClaimResult, Evidence, Ledger, Results
 from properties.schemas import KINDS, schema
 from reference.formats.files import MOST_BYTES, MOST_CHARACTERS, MOST_ITEMS
 from reference.formats.level import MOST_BUTTONS
@@ -111,8 +111,24 @@ def test_what_sums_make_of_the_longest_numbers_is_read_again(tmp_path):
 
 
 def test_results_are_as_their_schema_says():
-    claim = ClaimResult("claim/x", "string", "thesis", [], Verdict.BOUNDED, Verdict.TESTED, 8, 9, "z3", 0.5, None)
-    results = Results("graphbody/results@1", {"python": "3.11"}, [claim])
+    rests_on = Ledger(["condition/x"], [], [], ["push/none"], 3, 9, True, 4, 2, 1000, 0.05)
+    shown = Evidence("prove x", "z3", 3, 9, True, ["condition/x"], [], [], {"margin": "1/4", "ahead": True}, [1000])
+    claim = ClaimResult(
+        "claim/x",
+        "string",
+        "thesis",
+        [],
+        Verdict.BOUNDED,
+        Verdict.TESTED,
+        8,
+        9,
+        "z3",
+        0.5,
+        None,
+        rests_on,
+        ["prove x"],
+    )
+    results = Results("graphbody/results@1", "0" * 64, {"python": "3.11"}, [claim], [shown])
     check("results", json.loads(msgspec.json.encode(results)))
 
 

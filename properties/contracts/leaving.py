@@ -6,7 +6,7 @@ from dataclasses import replace
 from typing import Any
 
 from properties.contracts.request import seen_by
-from properties.given import Given
+from properties.given import HAS_WIDTH, Given
 from properties.worlds.window import ME, Spot, Window, lonely_window, spot
 from spec.number import Truth, lesser
 from spec.plane import negated
@@ -27,8 +27,8 @@ def any_departure(rules: Rules, given: Given) -> tuple[Window, Departure[Any, Sp
     """Any body after its move: its rear border on its edge or beyond a ledge; up to two near jump edges."""
     seen = lonely_window(given, edges_long=False, ledges=True)
     rear, moved, width = seen.start, given.number("distance moved"), given.number("width")
-    given.assume(width > 0)
-    given.assume((rear.reach >= 0) | (moved + rear.reach >= 0))
+    given.assume(width > 0, HAS_WIDTH)
+    given.assume((rear.reach >= 0) | (moved + rear.reach >= 0), "the rear border was on its edge before")
     front = replace(seen.along(rear, width), edge=rear.edge + 1)
     jumps = [any_jump(given, name) for name in ("first jump", "second jump") if given.flag(f"there is a {name}")]
     leaving = Departure(

@@ -20,6 +20,7 @@ from typing import Any
 
 from properties.given import Given, Infeasible
 from properties.worlds.window import ME, NEIGHBOUR, Capacity, Spot, Window, capacity, lonely_window, spot, window
+from spec.conditions import FREE_SPACE
 from spec.number import greater, lesser
 from spec.profiles import Profile
 from spec.rule import AnyRule, Chooser, Family, GuardError, Rule
@@ -91,7 +92,7 @@ def no_more_than_asked(given: Given) -> Grant:
 
     def grant(ask: Ask[Any, str]) -> Any:
         granted = given.number("distance granted")
-        given.assume(granted <= ask.distance)
+        given.assume(granted <= ask.distance, "the contract of the request that is asked for")
         return granted
 
     return grant
@@ -198,7 +199,7 @@ def request_is_its_segments(rules: Rules, given: Given) -> None:
         given.ensure("each segment is of this body, by these rules", own is stand_ins and view is seen and body == ME)
         yield from ()
         went = given.number(f"distance of segment {len(rounds)}")
-        given.assume(went <= motion.rest)
+        given.assume(went <= motion.rest, "the contract of a segment")
         going = len(rounds) < MOST_ROUNDS and given.flag(f"segment {len(rounds)} goes on")
         rounds.append(Motion(view.along(motion.at, went), rest=motion.rest - went, going=going))
         return rounds[-1]
@@ -248,7 +249,7 @@ def rear_walks_on(rules: Rules, given: Given) -> None:
     seen = window(given, margin_kept=False, edges_long=False, ledges=True)
     before = any_motion(given, seen.start)
     if seen.next_length is None and not seen.ledge:
-        given.assume(before.rest <= seen.start.reach)
+        given.assume(before.rest <= seen.start.reach, "the string goes on as far as the rear is towed")
     after = walk(seen_by(given, rules).walk, seen, before, Way(before.rest, blocked=False))
     step = before.rest - after.rest
     given.ensure("the distance moved is where the border is", after.at.travelled == step)
@@ -269,7 +270,7 @@ def rear_follows_by_the_same(rules: Rules, given: Given) -> None:
         given.ensure("the rear does not look", not step.way.blocked)
         given.ensure("its way is open as far as it goes", step.way.distance == step.motion.rest)
         went = given.number(f"distance of walk {len(rounds)}")
-        given.assume(went <= step.motion.rest)
+        given.assume(went <= step.motion.rest, "the contract of a walk")
         going = len(rounds) < MOST_ROUNDS and given.flag(f"walk {len(rounds)} goes on")
         rounds.append(Motion(seen.along(step.motion.at, went), rest=step.motion.rest - went, going=going))
         return rounds[-1]
@@ -284,7 +285,7 @@ def segment_in_wall(rules: Rules, given: Given) -> None:
     """A border that a landing has put inside a wall stays where it is, whatever is asked of it."""
     seen = lonely_window(given, edges_long=False, ledges=False)
     inside = given.number("how far inside the wall")
-    given.assume(inside > 0)
+    given.assume(inside > 0, "the border is inside the wall")
     start = replace(seen.start, reach=inside * -1)
     seen = replace(seen, next_length=None, start=start)
     _, before, after = run_segment(rules, given, seen, no_more_than_asked(given))
@@ -323,7 +324,7 @@ def two_requests_are_one(rules: Rules, given: Given) -> None:
     able, limited = Capacity(given.number("capacity of the neighbour"), wall), given.flag("at the push limit")
     regained = given.number("regained on a ring") if given.flag("on a ring") else a * 0
     both, pushed = by_contract(given, a + b, room, able, limited)
-    given.assume((regained == 0) | (both == a + b))
+    given.assume((regained == 0) | (both == a + b), FREE_SPACE.id)
     first, pushed_first = by_contract(given, a, room, able, limited)
     left = room - first + pushed_first
     able = Capacity(able.neighbour - pushed_first + regained, None if wall is None else wall - first)

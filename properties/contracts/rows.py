@@ -13,6 +13,7 @@ from properties.given import Given
 from properties.worlds.rows import any_level
 from reference.world import Facing, World
 from spec.body import Level
+from spec.conditions import HALVES_LONG
 from spec.graph import Direction, Vertex, extent
 from spec.invariants import OF_ONE_REQUEST, every
 from spec.profiles import Profile
@@ -58,7 +59,7 @@ def border_keeps_coordinate(profile: Profile, given: Given, bodies: int, edges: 
     """Splitting an edge keeps the coordinate of any border, and the length of the string."""
     level = any_level(given, bodies, edges, closed)
     at = given.number("where the edge is split")
-    given.assume(level.graph.edges[cut].length - at > 0)
+    given.assume(level.graph.edges[cut].length - at > 0, "the split is on the edge")
     one, two = World(level), World(split(level, cut, at, Vertex(at, at)))
     given.ensure("the same length", one.rows[0].length == two.rows[0].length)
     for direction in Direction:
@@ -78,8 +79,8 @@ def split_has_the_same_facts(profile: Profile, given: Given, bodies: int, edges:
     """Splitting the first edge of a row keeps all gaps and walls."""
     level = any_level(given, bodies, edges, closed)
     at = given.number("where the edge is split")
-    given.assume(at >= level.margin)
-    given.assume(level.graph.edges[0].length - at >= level.margin)
+    given.assume(at >= level.margin, HALVES_LONG.id)
+    given.assume(level.graph.edges[0].length - at >= level.margin, HALVES_LONG.id)
     check_same_facts(given, level, split(level, 0, at, Vertex(at, at)), turned=False)
 
 
@@ -96,11 +97,11 @@ def steps_are_lawful(profile: Profile, given: Given, bodies: int, edges: int, cl
     """A step on an edge lessens the distance to its end, and the gap to the body ahead, by the step."""
     view = World(any_level(given, bodies, edges, closed)).facing(Direction.RIGHT)
     step, at = given.number("a step on the edge"), view.front(0)
-    given.assume(step <= view.reach(at))
+    given.assume(step <= view.reach(at), "the step is on the edge")
     further, other = view.along(at, step), view.world.beside(0, Direction.RIGHT)
     given.ensure("it lessens the distance to the end", view.reach(further) == view.reach(at) - step)
     assert other is not None
-    given.assume(step <= view.gap(at, other))
+    given.assume(step <= view.gap(at, other), "the step is within the gap")
     given.ensure("it lessens the gap", view.gap(further, other) == view.gap(at, other) - step)
 
 

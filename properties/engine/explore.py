@@ -4,6 +4,9 @@ Its honesty is checked as it goes: a replay must meet the same forks; a solver t
 nothing and proves nothing; the paths, with what premises cut off, must cover all values; at least one path
 must be feasible; every counterexample is run again on exact numbers before it is believed. Budgets are
 counted work, never seconds.
+
+Premises have names. Each answer that something cannot be has a core: the premises it rests on. What is in no core is
+not needed: without it, the same exploration shows the same.
 """
 
 from __future__ import annotations
@@ -47,19 +50,35 @@ class Counterexample:
 
 @dataclass
 class Outcome:
-    """What an exploration showed: paths, promises judged, solver calls, rules that fired, and what is open."""
+    """What an exploration showed: paths, promises judged, solver calls, rules that fired, and what is open.
+
+    Attributes:
+        exhaustive: whether the paths, with what premises cut off, were found to cover all values.
+        assumed: the names of all premises.
+        used: of these, the ones in the core of some answer of the solver.
+        sequences: for each path, the rules in the order in which they fired.
+        witness: values that satisfy all premises of a path on which a promise was judged.
+        resources: the work of the solver, as it counts it, without what it took to make the witness simple.
+    """
 
     paths: int = 0
     promises: int = 0
     checks: int = 0
+    exhaustive: bool = False
     rules: set[str] = field(default_factory=set)
     open: list[str] = field(default_factory=list)
     counterexample: Counterexample | None = None
+    assumed: set[str] = field(default_factory=set)
+    used: set[str] = field(default_factory=set)
+    sequences: set[tuple[str, ...]] = field(default_factory=set)
+    witness: dict[str, Fraction | bool] | None = None
+    resources: int = 0
 
     @property
     def proved(self) -> bool:
         """Whether every promise holds on every path, and there was something to judge."""
-        return self.counterexample is None and not self.open and self.paths > 0 and self.promises > 0
+        held = self.counterexample is None and not self.open
+        return held and self.paths > 0 and self.promises > 0 and self.witness is not None
 
 
 @dataclass
@@ -88,20 +107,30 @@ class Judged:
     denials: list[z3.BoolRef]
 
 
-def solver_for_reals() -> z3.Solver:
-    """A solver for linear arithmetic with a budget of counted work."""
+def solver_for_reals(seed: int = 0) -> z3.Solver:
+    """A solver for linear arithmetic with a budget of counted work; the seed is that of its heuristics."""
     solver = z3.SolverFor("QF_LIRA")
     solver.set("rlimit", CHECK_BUDGET)
+    if seed:
+        solver.set("random_seed", seed)
     return solver
+
+
+def work_so_far() -> int:
+    """The work of all solvers of this process since it began, as they count it."""
+    solver = z3.Solver()
+    solver.check()
+    return int(solver.statistics().get_key_value("rlimit count"))
 
 
 class Exploration:
     """One depth-first exploration of a program."""
 
-    def __init__(self, program: Program) -> None:
+    def __init__(self, program: Program, seed: int = 0) -> None:
         """Prepare to explore; `run` does it."""
         self.program = program
-        self.solver = solver_for_reals()
+        self.solver = solver_for_reals(seed)
+        self.premises: dict[str, z3.BoolRef] = {}
         self.forks: list[Fork] = []
         self.drawn = Drawn()
         self.covered: list[list[z3.BoolRef]] = []
@@ -125,6 +154,10 @@ class Exploration:
         if not self.outcome.open:
             self.check_coverage()
 
+    def premises_so_far(self) -> dict[str, z3.BoolRef]:
+        """The premises under which every path begins, by name: none."""
+        return {}
+
     def new_path(self) -> Path:
         """A path that has met nothing yet."""
         return Path(self)
@@ -144,12 +177,16 @@ class Exploration:
     def run_path(self) -> None:
         """Run the program once, along the branches chosen so far."""
         path = self.new_path()
+        self.premises = self.premises_so_far()
         token = DECIDE.set(path.decide)
         self.solver.push()
         try:
             self.program(path)
             self.outcome.paths += 1
+            self.outcome.sequences.add(tuple(path.fired))
             path.judge()
+            if self.outcome.witness is None and path.promises and not self.outcome.open:
+                self.outcome.witness = self.witness(path)
         except Infeasible:
             path.judge()
         finally:
@@ -162,18 +199,42 @@ class Exploration:
     def possible(self, *formulas: z3.BoolRef) -> bool | None:
         """Whether formulas can hold on the path so far; None if the solver does not know."""
         self.outcome.checks += 1
-        answer = self.solver.check(*formulas)
+        answer = self.solver.check(*formulas, *self.premises.values())
+        if answer == z3.unsat:
+            core = {premise.get_id() for premise in self.solver.unsat_core()}
+            self.outcome.used |= {name for name, premise in self.premises.items() if premise.get_id() in core}
         return None if answer == z3.unknown else bool(answer == z3.sat)
 
-    def refute(self, promise: str, denial: z3.BoolRef) -> None:
-        """Find the simplest values that break a promise, and believe them when they do so on exact numbers."""
-        values = simplest_values(self.solver, self.drawn, denial)
+    def premise(self, name: str, formula: z3.BoolRef) -> None:
+        """Let a formula hold on the path from here on, as long as the solver is told the name as well."""
+        self.outcome.assumed.add(name)
+        known = self.premises.setdefault(name, z3.Bool(f"premise: {name}"))
+        self.solver.add(z3.Implies(known, formula))
+
+    def witness(self, path: Path) -> dict[str, Fraction | bool] | None:
+        """Simple values that satisfy all premises of this path, and on exact numbers keep all its promises."""
+        if self.solver.check(*self.premises.values()) != z3.sat:
+            return None
+        values = simplest_values(self.drawn, [*self.definitions, *path.literals])
+        exact = self.replay("the witness of the premises", values)
+        if exact.broken or not exact.promises:
+            raise EngineError(f"the witness of the premises does not keep the promises on exact numbers: {values}")
+        return values
+
+    def replay(self, what: str, values: dict[str, Fraction | bool]) -> Exact:
+        """Run the program on exact numbers, which must not break a premise before they break a promise."""
         exact = Exact(values)
         try:
             self.program(exact)
         except Infeasible:
             if not exact.broken:
-                raise EngineError(f"{promise}: the counterexample breaks a premise: {values}") from None
+                raise EngineError(f"{what} breaks a premise: {values}") from None
+        return exact
+
+    def refute(self, place: list[z3.BoolRef], promise: str, denial: z3.BoolRef) -> None:
+        """Find simple values at a place that break a promise, and believe them when they do so on exact numbers."""
+        values = simplest_values(self.drawn, [*self.definitions, *place, denial])
+        exact = self.replay(f"{promise}: the counterexample", values)
         if promise not in exact.broken:
             raise EngineError(f"{promise}: the counterexample does not replay on exact numbers: {values}")
         self.outcome.counterexample = Counterexample(tuple(exact.broken), values)
@@ -189,6 +250,7 @@ class Exploration:
         solver = solver_for_reals()
         if solver.check(z3.Not(z3.Or(self.places)), *self.drawn.signs(), *self.definitions) != z3.unsat:
             raise EngineError("the paths explored do not cover all values")
+        self.outcome.exhaustive = True
 
 
 class Path:
@@ -203,17 +265,19 @@ class Path:
         self.model: z3.ModelRef | None = None
         self.promised: list[tuple[str, z3.BoolRef]] = []
         self.merges = 0
+        self.promises = 0
+        self.fired: list[str] = []
 
-    def number(self, name: str) -> Symbolic:
+    def number(self, name: str, premise: str = "") -> Symbolic:
         """A symbolic real, at least 0."""
         term = self.exploration.drawn.number(name)
-        self.exploration.solver.add(term >= 0)
+        self.exploration.premise(premise or f"{name} >= 0", term >= 0)
         return Symbolic.of(name)
 
     def natural(self, name: str) -> Symbolic:
         """A symbolic whole number, at least 0."""
         term = self.exploration.drawn.natural(name)
-        self.exploration.solver.add(term >= 0)
+        self.exploration.premise(f"{name} >= 0", term >= 0)
         return Symbolic.of(name, whole=True)
 
     def flag(self, name: str) -> bool:
@@ -222,8 +286,12 @@ class Path:
 
     def take(self, literal: z3.BoolRef) -> None:
         """Go on where a literal holds."""
-        self.literals.append(literal)
         self.exploration.solver.add(literal)
+        self.note(literal)
+
+    def note(self, literal: z3.BoolRef) -> None:
+        """Take note of what holds from here on; the last model may not know."""
+        self.literals.append(literal)
         if self.model is not None and not z3.is_true(self.model.eval(literal, model_completion=True)):
             self.model = None
 
@@ -262,18 +330,20 @@ class Path:
         self.decided[fork.formula.get_id()] = fork.branch
         return fork.branch
 
-    def assume(self, premise: Truth) -> None:
+    def assume(self, premise: Truth, name: str = "a premise without a name") -> None:
         """Cut off what does not satisfy the premise; what was promised before is judged without it."""
         self.judge()
         formula = formula_of(premise)
         self.exploration.covered.append([*self.literals, z3.Not(formula)])
-        self.take(formula)
+        self.exploration.premise(name, formula)
+        self.note(formula)
         if self.exploration.possible() is False:
             raise Infeasible
 
     def ensure(self, name: str, promise: Truth) -> None:
         """Take a promise to be judged on this path, or on all into which it forks from here."""
         self.promised.append((name, z3.Not(formula_of(promise))))
+        self.promises += 1
         self.exploration.outcome.promises += 1
 
     def judge(self) -> None:
@@ -290,10 +360,11 @@ class Path:
             if broken is None:
                 self.exploration.outcome.open.append(f"{name}: the solver does not know")
             if broken:
-                self.exploration.refute(name, denial)
+                self.exploration.refute(self.literals, name, denial)
 
     def saw(self, rule: str) -> None:
         """Note that a rule fired on a feasible path."""
+        self.fired.append(rule)
         self.exploration.outcome.rules.add(rule)
 
 
@@ -311,10 +382,12 @@ def watched_by(watch: Watch) -> Iterator[None]:
         WATCH.reset(token)
 
 
-def explore(program: Program) -> Outcome:
+def explore(program: Program, seed: int = 0) -> Outcome:
     """Judge the promises of a program for all values it may be given."""
-    exploration = Exploration(program)
+    before = work_so_far()
+    exploration = Exploration(program, seed)
     outcome = exploration.run()
+    outcome.resources = work_so_far() - before
     watch = WATCH.get()
     if watch is not None:
         watch(exploration)

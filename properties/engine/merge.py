@@ -40,15 +40,22 @@ class PartExploration(Exploration):
         path.decided = dict(self.around.decided)
         return path
 
-    def refute(self, promise: str, denial: z3.BoolRef) -> None:
+    def premises_so_far(self) -> dict[str, z3.BoolRef]:
+        """The premises of the program around the part."""
+        return dict(self.outside.premises)
+
+    def witness(self, path: Path) -> None:
+        """Premises are the whole program's, and so is the witness of them."""
+
+    def refute(self, place: list[z3.BoolRef], promise: str, denial: z3.BoolRef) -> None:
         """A promise is broken by values of the whole program."""
-        self.outside.refute(promise, denial)
+        self.outside.refute([*self.definitions, *self.around.literals, *place], promise, denial)
 
     def check_coverage(self) -> None:
         """Make sure that the paths, none of which a premise may cut off, leave out no values that lead here."""
-        if len(self.covered) != len(self.returned):
-            raise EngineError("a part that is merged assumes something")
-        if self.solver.check(z3.Not(z3.Or(self.places)), *self.definitions) != z3.unsat:
+        if len(self.covered) != len(self.returned) or self.premises != self.outside.premises:
+            raise EngineError("a part that is merged assumes something, or draws")
+        if self.solver.check(z3.Not(z3.Or(self.places)), *self.definitions, *self.premises.values()) != z3.unsat:
             raise EngineError("the paths of a part do not cover all values")
 
     def merge(self, numbers: Sequence[Any]) -> Any:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 
@@ -9,6 +10,7 @@ import z3
 
 GRIDS = (1, 2, 4, 10, 100)
 HALVINGS = 12
+SEARCH_BUDGET = 4_000_000
 
 
 @dataclass
@@ -35,6 +37,11 @@ class Drawn:
         """What holds of every number drawn: it is at least 0."""
         return [term >= 0 for term in (*self.numbers.values(), *self.naturals.values())]
 
+    def translated(self, context: z3.Context) -> Drawn:
+        """The same values in another context of the solver."""
+        kinds = (self.numbers, self.naturals, self.flags)
+        return Drawn(*({name: term.translate(context) for name, term in kind.items()} for kind in kinds))
+
     def values(self, model: z3.ModelRef) -> dict[str, Fraction | bool]:
         """The exact values of a model, those it leaves open included."""
         exact = {name: model.eval(term, model_completion=True).as_fraction() for name, term in self.numbers.items()}
@@ -43,32 +50,35 @@ class Drawn:
         return {name: Fraction(number) for name, number in {**exact, **whole}.items()} | truth
 
 
-def simplest_values(solver: z3.Solver, drawn: Drawn, denial: z3.BoolRef) -> dict[str, Fraction | bool]:
-    """Values that satisfy the solver's path and a denial: on the coarsest grid that has any, then small."""
-    solver.push()
-    solver.add(denial)
+def simplest_values(drawn: Drawn, formulas: Sequence[z3.BoolRef]) -> dict[str, Fraction | bool]:
+    """Values that satisfy formulas, which some do: on the coarsest grid that has any, then small.
+
+    The solver has a context of its own, so that its values do not depend on what was solved before.
+    """
+    context = z3.Context()
+    own, solver = drawn.translated(context), z3.SolverFor("QF_LIRA", ctx=context)
+    solver.set("rlimit", SEARCH_BUDGET)
+    solver.add(*own.signs(), *(formula.translate(context) for formula in formulas))
     solver.check()
     best = solver.model()
     for grid in GRIDS:
         solver.push()
-        for name, term in drawn.numbers.items():
-            solver.add(term * grid == z3.ToReal(z3.Int(f"{name} on a grid of 1/{grid}")))
+        for name, term in own.numbers.items():
+            solver.add(term * grid == z3.ToReal(z3.Int(f"{name} on a grid of 1/{grid}", context)))
         if solver.check() == z3.sat:
-            best = smallest(solver, list(drawn.numbers.values()), solver.model())
-            solver.pop()
+            best = smallest(solver, list(own.numbers.values()), solver.model())
             break
         solver.pop()
-    solver.pop()
-    return drawn.values(best)
+    return own.values(best)
 
 
 def smallest(solver: z3.Solver, terms: list[z3.ArithRef], model: z3.ModelRef) -> z3.ModelRef:
     """A model in which the sum of the terms is about as small as it can be, by halving."""
-    total = z3.Sum([z3.RealVal(0), *terms])
+    total = z3.Sum([z3.RealVal(0, solver.ctx), *terms])
     low, high = Fraction(0), Fraction(model.eval(total, model_completion=True).as_fraction())
     for _ in range(HALVINGS):
         middle = (low + high) / 2
-        if solver.check(total <= z3.Q(middle.numerator, middle.denominator)) == z3.sat:
+        if solver.check(total <= z3.Q(middle.numerator, middle.denominator, solver.ctx)) == z3.sat:
             model = solver.model()
             high = Fraction(model.eval(total, model_completion=True).as_fraction())
         else:

@@ -17,7 +17,8 @@ from properties.engine.explore import Exploration, watched_by
 from properties.engine.smtlib import script_of
 from properties.evidence.files import LISTED
 from properties.evidence.hunt import in_order
-from properties.evidence.settle import Job, Showing, by_id
+from properties.evidence.settle import by_id
+from properties.evidence.showing import Job, Showing
 
 EXPLORING = ("prove", "refute", "hunt")
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 BUILD = Path("build")
-WITNESSES = BUILD / "witnesses"
+WITNESSES, JOBS = BUILD / "witnesses", BUILD / "jobs"
 RESULTS, RESULTS_LONG = BUILD / "results.json", BUILD / "results-long.json"
 
 LISTED = "obligations.json"

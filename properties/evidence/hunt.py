@@ -38,7 +38,7 @@ class Quarry:
 
 def start_in_order(given: Given, world: World[Any]) -> None:
     """Assume a start that keeps the margins, on every string and in the plane, and is outside all terrain."""
-    given.assume(PLANE_START.holds(world, world.margin))
+    given.assume(PLANE_START.holds(world, world.margin), PLANE_START.id)
 
 
 def promise_of(hunt: Hunt, shape: Shape, profile: Profile, given: Given) -> None:

@@ -23,6 +23,7 @@ import reference
 import spec
 from properties.evidence.deeds import do
 from properties.evidence.relations import RELATIONS, world_of_floats
+from properties.evidence.showing import Look, looks
 from properties.strategies.rows import Trial, trials
 from reference.simulator import Endless
 from reference.world import World, world_of
@@ -57,11 +58,12 @@ class Broken(AssertionError):
 
 @dataclass
 class Campaign:
-    """What a run of property tests showed: cases, shares of interest, and the simplest failure of each property."""
+    """What a run of property tests showed: cases, shares of interest, the simplest failure of each property, looks."""
 
     cases: int = 0
     shares: Counter[str] = field(default_factory=Counter)
     failures: dict[str, Trial] = field(default_factory=dict)
+    looks: set[Look] = field(default_factory=set)
 
     @property
     def tame(self) -> list[str]:
@@ -69,12 +71,14 @@ class Campaign:
         return [name for name, floor in FLOORS.items() if self.shares[name] < floor * self.cases]
 
 
-def failing(profile: Profile, trial: Trial, world: World[Any], tolerance: Any, shares: Counter[str]) -> list[str]:
+def failing(profile: Profile, trial: Trial, world: World[Any], tolerance: Any, seen: Campaign) -> list[str]:
     """The properties that fail on a trial, in exact numbers or floats."""
     asked = trial.asked + world.margin * 0
     try:
         deed, record = do(profile, world, trial.body, trial.direction, asked, tolerance)
-        shares.update(features(world, {rule for _, rule in record.fired}))
+        seen.shares.update(features(world, {rule for _, rule in record.fired}))
+        for mover in {body for body, _ in record.fired}:
+            seen.looks |= looks(rule for body, rule in record.fired if body == mover)
         broken = [invariant.id for invariant in OF_ONE_REQUEST if not invariant.holds(deed)]
         return broken + [check.id for check in RELATIONS if not check.holds(profile, trial, world, tolerance)]
     except GuardError:
@@ -133,7 +137,7 @@ def first_failure(profile: Profile, floats: bool, examples: int, result: Campaig
         world: World[Any] = world_of_floats(trial.level) if floats else world_of(trial.level)
         tolerance: Any = FLOAT_TOLERANCE if floats else Fraction(0)
         result.cases += 1
-        for property_id in failing(profile, trial, world, tolerance, result.shares):
+        for property_id in failing(profile, trial, world, tolerance, result):
             if property_id not in result.failures:
                 raise Broken(property_id, trial)
 

@@ -5,44 +5,28 @@ from __future__ import annotations
 import os
 import signal
 import time
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from concurrent.futures import Executor, Future, ProcessPoolExecutor, as_completed
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from fractions import Fraction
 from functools import partial
 from multiprocessing import get_context
 from pathlib import Path
 
 from properties.claims.catalogue import CLAIMS
-from properties.claims.claim import Claim, Verdict
+from properties.claims.claim import Claim, Obligation, Verdict
 from properties.contracts.request import judged
-from properties.worlds.scenes import Shape
+from properties.evidence.ledger import conditions, ledger, proofs_of
+from properties.evidence.showing import Job, Showing, looks, texts
+from properties.evidence.store import Store
+from properties.results import Ledger
 from reference.formats.files import FormatError
 from reference.simulator import Endless
 from spec.conditions import IN_ORDER, MARGINS_KEPT
 from spec.rule import GuardError
 
-
-@dataclass(frozen=True)
-class Showing:
-    """What one piece of evidence showed.
-
-    Attributes:
-        failures: what failed, each with what shows it; empty if everything held.
-        open: what could not be decided.
-        cases: paths of a proof, examples of a test, worlds of a count.
-        shares: of random trials, the share that has a feature of interest, and its floor.
-    """
-
-    engine: str
-    seconds: float
-    cases: int
-    failures: dict[str, str] = field(default_factory=dict)
-    open: tuple[str, ...] = ()
-    rules: frozenset[str] = frozenset()
-    values: dict[str, Fraction | bool] | None = None
-    shares: dict[str, tuple[float, float]] = field(default_factory=dict)
-    shape: Shape | None = None
+SOLVER_SEEDS = (1, 2, 3)
+VACUOUS = "vacuous: no values satisfy the premises of a path on which a promise is judged"
 
 
 @dataclass(frozen=True)
@@ -57,6 +41,8 @@ class Settled:
     seconds: float
     witness: Path | None
     reasons: tuple[str, ...]
+    ledger: Ledger
+    jobs: tuple[Job, ...]
 
     @property
     def as_expected(self) -> bool:
@@ -69,18 +55,51 @@ def prove(claim_id: str, obligation_id: str) -> Showing:
     from properties.engine.explore import explore
 
     claim = by_id(claim_id)
-    obligation = next(o for o in claim.obligations if o.id == obligation_id)
+    obligation = obligation_of(claim, obligation_id)
     started = time.perf_counter()
     outcome = explore(partial(judged, obligation.program, claim.profile))
     failures = {}
     if outcome.counterexample is not None:
         failures = dict.fromkeys(outcome.counterexample.broken, shown(outcome.counterexample.values))
-    open_ = outcome.open if outcome.proved or failures or outcome.open else ["no path is feasible"]
-    seconds = time.perf_counter() - started
-    return Showing("z3", seconds, outcome.paths, failures, tuple(open_), frozenset(outcome.rules))
+    open_ = outcome.open if outcome.proved or failures or outcome.open else [VACUOUS]
+    return Showing(
+        "z3",
+        time.perf_counter() - started,
+        outcome.paths,
+        failures,
+        (*open_, *undeclared(obligation, outcome.used)),
+        frozenset(outcome.rules),
+        promises=outcome.promises,
+        exhaustive=outcome.exhaustive,
+        used=tuple(sorted(outcome.used)),
+        unused=tuple(sorted(outcome.assumed - outcome.used)),
+        witness=None if outcome.witness is None else texts(outcome.witness),
+        looks=frozenset().union(*map(looks, outcome.sequences)),
+        resources=(outcome.resources,),
+    )
 
 
-def shown(values: dict[str, Fraction | bool]) -> str:
+def undeclared(obligation: Obligation, used: Iterable[str]) -> list[str]:
+    """What the proof of an obligation used that the obligation does not declare; kept margins are in order."""
+    declared = {*obligation.needs, *((IN_ORDER.id,) if MARGINS_KEPT.id in obligation.needs else ())}
+    return [f"{obligation.id} uses {name}, which it does not declare" for name in sorted(conditions(used) - declared)]
+
+
+def spread(claim_id: str, obligation_id: str) -> Showing:
+    """Prove one obligation of a claim with several seeds of the solver, which must agree; note what each cost."""
+    from properties.engine.explore import explore
+
+    claim = by_id(claim_id)
+    program = partial(judged, obligation_of(claim, obligation_id).program, claim.profile)
+    started = time.perf_counter()
+    runs = [explore(program, seed) for seed in SOLVER_SEEDS]
+    agree = len({(run.proved, run.paths) for run in runs}) == 1
+    open_ = () if agree else (f"{obligation_id}: it depends on the seed of the solver",)
+    work = tuple(run.resources for run in runs)
+    return Showing("z3", time.perf_counter() - started, runs[0].paths, open=open_, resources=work)
+
+
+def shown(values: Mapping[str, Fraction | bool]) -> str:
     """Values as a line of text."""
     return ", ".join(f"{name} = {value}" for name, value in values.items())
 
@@ -98,7 +117,7 @@ def refute(claim_id: str) -> Showing:
     if found is None:
         return Showing("z3", seconds, outcome.paths, open=tuple(outcome.open))
     failures = dict.fromkeys(found.broken, shown(found.values))
-    return Showing("z3", seconds, outcome.paths, failures, values=found.values)
+    return Showing("z3", seconds, outcome.paths, failures, values=texts(found.values))
 
 
 def chase(claim_id: str, seed: int) -> Showing:
@@ -113,7 +132,7 @@ def chase(claim_id: str, seed: int) -> Showing:
     if quarry.shape is None:
         return Showing("z3", seconds, quarry.paths, open=tuple(quarry.open))
     failures = {claim.hunt.id: shown(quarry.values)}
-    return Showing("z3", seconds, quarry.paths, failures, values=quarry.values, shape=quarry.shape)
+    return Showing("z3", seconds, quarry.paths, failures, values=texts(quarry.values), shape=quarry.shape)
 
 
 def sample(profile_name: str, floats: bool) -> Showing:
@@ -126,7 +145,8 @@ def sample(profile_name: str, floats: bool) -> Showing:
     failures = {name: str(trial) for name, trial in result.failures.items()}
     open_ = tuple(f"too few trials: {name}" for name in result.tame)
     shares = {name: (result.shares[name] / result.cases, floor) for name, floor in FLOORS.items()}
-    return Showing("hypothesis", time.perf_counter() - started, result.cases, failures, open_, shares=shares)
+    seconds, seen = time.perf_counter() - started, frozenset(result.looks)
+    return Showing("hypothesis", seconds, result.cases, failures, open_, shares=shares, looks=seen)
 
 
 def count(claim_id: str, count_id: str) -> Showing:
@@ -146,12 +166,17 @@ def by_id(claim_id: str) -> Claim:
     return next(claim for claim in CLAIMS if claim.id == claim_id)
 
 
-Job = tuple[str, ...]
+def obligation_of(claim: Claim, obligation_id: str) -> Obligation:
+    """The obligation of a claim with an ID."""
+    return next(obligation for obligation in claim.obligations if obligation.id == obligation_id)
 
 
-def jobs_of(claim: Claim, seed: int = 0) -> dict[Job, Callable[[], Showing]]:
+Jobs = dict[Job, Callable[[], Showing]]
+
+
+def jobs_of(claim: Claim, seed: int = 0) -> Jobs:
     """What is to be run for a claim; the same job may serve several claims."""
-    jobs: dict[Job, Callable[[], Showing]] = {}
+    jobs: Jobs = {}
     for obligation in claim.obligations:
         jobs["prove", claim.profile.name, obligation.id] = partial(prove, claim.id, obligation.id)
     if claim.sampled:
@@ -162,35 +187,37 @@ def jobs_of(claim: Claim, seed: int = 0) -> dict[Job, Callable[[], Showing]]:
     if claim.erratum is not None:
         jobs["refute", claim.id] = partial(refute, claim.id)
     if claim.hunt is not None:
-        jobs["hunt", claim.id] = partial(chase, claim.id, seed)
+        jobs["hunt", claim.id, f"seed {seed}"] = partial(chase, claim.id, seed)
     return jobs
 
 
-def run(
-    claims: Iterable[Claim],
-    executor: Executor,
-    progress: Callable[[int, int], None],
-    seed: int = 0,
-    export: Path | None = None,
-) -> dict[Job, Showing]:
-    """Run all jobs of some claims, each once; `progress` is told how many are done and how many there are.
+def spreads_of(claim: Claim) -> Jobs:
+    """What is to be run to see how much the work of a claim's proofs depends on the seed of the solver."""
+    return {("spread", *job[1:]): partial(spread, claim.id, job[2]) for job in proofs_of(claim)}
 
-    With `export`, the jobs that explore write what they explored to that directory.
-    """
-    jobs: dict[Job, Callable[[], Showing]] = {}
+
+def all_jobs(claims: Iterable[Claim], seed: int = 0, spreads: bool = False) -> Jobs:
+    """What is to be run for some claims, each job once."""
+    jobs: Jobs = {}
     for claim in claims:
         jobs.update(jobs_of(claim, seed))
-    if export is not None:
-        from properties.evidence.export import exported
+        jobs.update(spreads_of(claim) if spreads else {})
+    return jobs
 
-        jobs = exported(export, jobs)
-    first = sorted(jobs, key=lambda job: job[0] != "sample")
-    running: dict[Future[Showing], Job] = {executor.submit(jobs[job]): job for job in first}
-    showings: dict[Job, Showing] = {}
-    for done, future in enumerate(as_completed(running), start=1):
+
+def run(jobs: Jobs, executor: Executor, store: Store, progress: Callable[[int, int], None]) -> dict[Job, Showing]:
+    """Run all jobs but those whose current result is stored; each stores its own, so a run that stops loses no other.
+
+    `progress` is told how many are done and how many there are.
+    """
+    showings = store.current(jobs)
+    progress(len(showings), len(jobs))
+    first = sorted(jobs.keys() - showings.keys(), key=lambda job: (job[0] != "sample", job))
+    running: dict[Future[Showing], Job] = {executor.submit(store.run, job, jobs[job]): job for job in first}
+    for future in as_completed(running):
         showings[running[future]] = future.result()
-        progress(done, len(running))
-    return showings
+        progress(len(showings), len(jobs))
+    return {job: showings[job] for job in jobs}
 
 
 def processes() -> ProcessPoolExecutor:
@@ -199,9 +226,10 @@ def processes() -> ProcessPoolExecutor:
     return ProcessPoolExecutor(os.cpu_count(), context, initializer=signal.signal, initargs=to_default)
 
 
-def settle(claim: Claim, showings: dict[Job, Showing], witnesses: Path) -> Settled:
+def settle(claim: Claim, showings: dict[Job, Showing], witnesses: Path, seed: int = 0) -> Settled:
     """Give a claim the verdict that its evidence showed."""
-    mine = [showings[job] for job in jobs_of(claim)]
+    jobs = tuple(jobs_of(claim, seed))
+    mine = [showings[job] for job in (*jobs, *(job for job in spreads_of(claim) if job in showings))]
     verdict, reasons = verdict_of(claim, mine)
     witness = None
     for showing in mine:
@@ -213,11 +241,13 @@ def settle(claim: Claim, showings: dict[Job, Showing], witnesses: Path) -> Settl
         claim,
         verdict,
         bodies=bodies_shown(claim) if verdict is Verdict.BOUNDED else None,
-        cases=sum(showing.cases for showing in mine),
+        cases=sum(showings[job].cases for job in jobs),
         engine=", ".join(sorted({showing.engine for showing in mine})),
         seconds=sum(showing.seconds for showing in mine),
         witness=witness,
         reasons=reasons,
+        ledger=ledger(claim, showings),
+        jobs=jobs,
     )
 
 
@@ -258,7 +288,7 @@ def verdict_of(claim: Claim, showings: list[Showing]) -> tuple[Verdict, tuple[st
 
 def first_failure() -> str | None:
     """Run the evidence of all claims, one after another, up to the first failure; what failed, or None."""
-    jobs: dict[Job, Callable[[], Showing]] = {}
+    jobs: Jobs = {}
     for claim in CLAIMS:
         if claim.erratum is None and claim.hunt is None:
             jobs.update(jobs_of(claim))

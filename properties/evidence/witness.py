@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from fractions import Fraction
 from pathlib import Path
 from typing import Any
@@ -31,7 +32,7 @@ def refute(profile: Profile, erratum: Erratum) -> Outcome:
     return explore(program)
 
 
-def scenario(claim: Claim, values: dict[str, Fraction | bool], shape: Shape | None) -> ScenarioRecord:
+def scenario(claim: Claim, values: Mapping[str, Fraction | bool | str], shape: Shape | None) -> ScenarioRecord:
     """The scenario in which values break the promise of a claim; `shape` is that of a hunted scene."""
     stage = Stage()
     if claim.erratum is not None:
@@ -64,7 +65,9 @@ def step_record(step: tuple[str, Any] | None) -> StepRecord:
     return StepRecord(request=RequestRecord(step[0], number_text(step[1])))
 
 
-def write_witness(claim: Claim, values: dict[str, Fraction | bool], shape: Shape | None, directory: Path) -> Path:
+def write_witness(
+    claim: Claim, values: Mapping[str, Fraction | bool | str], shape: Shape | None, directory: Path
+) -> Path:
     """Write the witness of a claim; return its path."""
     path = directory / f"{file_name(claim.id)}.json"
     write(path, scenario(claim, values, shape))

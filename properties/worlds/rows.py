@@ -8,8 +8,9 @@ from __future__ import annotations
 from fractions import Fraction
 from typing import Any
 
-from properties.given import Given
+from properties.given import HAS_LENGTH, HAS_WIDTH, Given
 from spec.body import Body, EdgePosition, Level
+from spec.conditions import EDGES_LONG, MARGINS_KEPT
 from spec.graph import Edge, EdgeType, Graph, Vertex
 
 
@@ -39,25 +40,29 @@ def any_level(
 ) -> Level[Any]:
     """Any valid start of `bodies` bodies on a string of `edges` edges."""
     margin = given.number("margin")
-    given.assume(margin > 0)
+    given.assume(margin > 0, "the margin is positive")
     lengths = [given.number(f"length of edge {edge}") for edge in range(edges)]
     for length in lengths:
-        given.assume(length >= margin if edges_long else length > 0)
+        if edges_long:
+            given.assume(length >= margin, EDGES_LONG.id)
+        else:
+            given.assume(length > 0, HAS_LENGTH)
     total = sum(lengths[1:], lengths[0])
     along, held = given.number("left of A") if bodies else margin, []
     first = along
     if closed:
-        given.assume(first < total)
+        given.assume(first < total, "places on a ring are counted once round")
     for index in range(bodies):
         width = given.number(f"width of {chr(65 + index)}")
-        given.assume(width > 0)
+        given.assume(width > 0, HAS_WIDTH)
         held.append((along, along + width))
         along = along + width + margin
         if index < bodies - 1:
-            along = along + given.number(f"room after {chr(65 + index)}")
-    given.assume(
-        along <= first + total if closed and bodies > 1 else along - margin <= (first + total if closed else total)
-    )
+            along = along + given.number(f"room after {chr(65 + index)}", MARGINS_KEPT.id)
+    if closed and bodies > 1:
+        given.assume(along <= first + total, MARGINS_KEPT.id)
+    else:
+        given.assume(along - margin <= (first + total if closed else total), "the row is on its string")
     placed = tuple(
         Body(
             chr(65 + i), located(lengths, left, closed), located(lengths, right, closed), Fraction(speed), height=margin
@@ -65,5 +70,5 @@ def any_level(
         for i, (left, right) in enumerate(held)
     )
     tick = given.number("tick")
-    given.assume(tick > 0)
+    given.assume(tick > 0, "the tick is positive")
     return Level(string_graph(lengths, total if closed else None), margin, tick, placed)

@@ -10,7 +10,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
-from properties.given import Given
+from properties.given import HAS_LENGTH, Given
+from spec.conditions import EDGES_LONG, IN_ORDER, MARGINS_KEPT
 from spec.number import lesser
 from spec.rules.request import Ask
 from spec.world import Beyond, Jump
@@ -124,12 +125,15 @@ def spot(given: Given, name: str) -> Spot:
 def lonely_window(given: Given, edges_long: bool, ledges: bool) -> Window:
     """Any window with nobody ahead; see `window`."""
     margin, start = given.number("margin"), spot(given, "front")
-    given.assume(margin > 0)
-    given.assume(start.length > 0)
+    given.assume(margin > 0, "the margin is positive")
+    given.assume(start.length > 0, HAS_LENGTH)
     next_length, ledge = None, False
     if given.flag("an edge follows"):
         next_length = given.number("length of the next edge")
-        given.assume(next_length >= margin if edges_long else next_length > 0)
+        if edges_long:
+            given.assume(next_length >= margin, EDGES_LONG.id)
+        else:
+            given.assume(next_length > 0, HAS_LENGTH)
     elif ledges and given.flag("the edge ends at a ledge"):
         ledge = True
         if given.flag("the border is in overhang"):
@@ -145,11 +149,11 @@ def window(given: Given, margin_kept: bool, edges_long: bool, ledges: bool = Fal
     seen = lonely_window(given, edges_long, ledges)
     if not given.flag("a body is ahead"):
         return seen
-    gap = given.number("gap")
+    gap = given.number("gap", IN_ORDER.id)
     if margin_kept:
-        given.assume(gap >= seen.margin)
+        given.assume(gap >= seen.margin, MARGINS_KEPT.id)
     if seen.next_length is None and not seen.ledge:
-        given.assume(gap <= seen.start.reach)
+        given.assume(gap <= seen.start.reach, "no body stands beyond the wall")
     return replace(seen, neighbour=True, gap_before=gap, may_push=given.flag("the body may push"))
 
 
@@ -180,5 +184,5 @@ def capacity(given: Given, seen: Window) -> Capacity:
     else:
         wall = None
     if seen.neighbour and wall is not None:
-        given.assume(seen.gap_before + neighbour <= wall)
+        given.assume(seen.gap_before + neighbour <= wall, "the neighbour heeds the wall")
     return Capacity(neighbour, wall)

@@ -1,0 +1,68 @@
+"""What has been shown already, on disk, one file for each job: an interrupted run goes on from there.
+
+A result is stored with the hash of the sources that it is about. It is never given out for others.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+from urllib.parse import quote
+
+import msgspec
+
+from properties.evidence.showing import Job, Showing
+from properties.evidence.sources import sources
+from reference.formats.files import write_whole
+
+
+class Stored(msgspec.Struct, frozen=True):
+    """A result, what it is the result of, and the sources that it is about."""
+
+    job: Job
+    sources: str
+    showing: Showing
+
+
+@dataclass(frozen=True)
+class Store:
+    """A directory of results, and the sources that are current."""
+
+    directory: Path
+    sources: str
+
+    def path(self, job: Job) -> Path:
+        """Where the result of a job is."""
+        return self.directory / f"{quote('|'.join(job), safe=' |(),')}.json".replace("|", "+")
+
+    def get(self, job: Job) -> Showing | None:
+        """The result of a job, if there is one and it is about the current sources."""
+        try:
+            found = msgspec.json.decode(self.path(job).read_bytes(), type=Stored, dec_hook=from_text)
+        except (OSError, msgspec.DecodeError):
+            return None
+        return found.showing if found.sources == self.sources and found.job == job else None
+
+    def current(self, jobs: Iterable[Job]) -> dict[Job, Showing]:
+        """The results of those jobs that have one."""
+        return {job: found for job in jobs if (found := self.get(job)) is not None}
+
+    def put(self, job: Job, showing: Showing) -> None:
+        """Keep a result, also if it is interrupted: all of it, or what was there before."""
+        write_whole(self.path(job), msgspec.json.encode(Stored(job, self.sources, showing), enc_hook=str))
+
+    def run(self, job: Job, evidence: Callable[[], Showing]) -> Showing:
+        """Run a job and keep what it showed, unless the sources have changed since the run began."""
+        showing = evidence()
+        if sources() == self.sources:
+            self.put(job, showing)
+        return showing
+
+
+def from_text(kind: type[Any], text: Any) -> Any:
+    """A fraction, from its text."""
+    assert kind is Fraction
+    return Fraction(text)
