@@ -160,7 +160,7 @@ def simulate(
     import msgspec
 
     from properties.sketch import sketch
-    from properties.trace import text_lines
+    from properties.telling import text_lines
     from reference.formats.files import FormatError
     from reference.play import play
     from reference.recording import header_of, lines_of

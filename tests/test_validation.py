@@ -408,6 +408,25 @@ def test_many_bodies_in_one_place_are_ambiguous_and_not_counted_through(tmp_path
     assert report.found == {Finding.DIVERGES: 1, Finding.AMBIGUOUS: 1}
 
 
+def test_rules_are_not_judged_where_the_order_of_bodies_is_not_known(tmp_path):
+    level = {
+        "vertices": [[0, 1], [0.5, 1], [0.5, 2], [2.625, 2], [2.625, 0], [3.125, 0]],
+        "margin": 0.125,
+        "bodies": [
+            body("A", 0, 1, edge=2),
+            {"name": "B", "left": {"top": "A", "location": 0}, "right": {"top": "A", "location": 1}},
+            body("C", 1.125, 2.125, edge=2),
+        ],
+    }
+    steps = [{"request": {"body": "C", "distance": -3}}, {"request": {"body": "B", "distance": 1}}]
+    scenario = {"format": "graphbody/scenario@1", "name": "s", "steps": steps}
+    scenario["level"] = {"format": "graphbody/level@1", "name": "l"} | level
+    (tmp_path / "scenario.json").write_text(json.dumps(scenario))
+    records = trace_of(tmp_path / "scenario.json")
+    assert records[1].bodies[1].left == records[1].bodies[2].left, "C has jumped right into B"
+    assert validate(written(tmp_path / "trace.jsonl", records)).conforms
+
+
 def test_one_wrong_number_in_a_long_row_in_contact_is_found_with_counted_work(tmp_path):
     count = 60
     pairs = [(f"{8 * i + 1}/10", f"{8 * i + 8}/10") for i in range(count)]

@@ -64,9 +64,9 @@ def at_a_border(seen: World[Fraction], button: EdgePosition[Fraction], tolerance
 
 
 def of_the_moves(
-    line: LineRecord, asked: tuple[Request, ...], expected: Expected, tolerance: Fraction
+    line: LineRecord, asked: tuple[Request, ...], expected: Expected, tolerance: Fraction, rules_known: bool
 ) -> Iterator[Difference]:
-    """What a line says of its requests, and is not so; in exact numbers also what it says of the rules that fired."""
+    """What a line says of its requests, and is not so; of the rules that fired too, if these are known."""
     names = [expected.world.bodies[body].name for body, _, _ in asked]
     told = names if line.moves is None else [move.body for move in line.moves]
     if told != names:
@@ -74,6 +74,8 @@ def of_the_moves(
     else:
         for i, move in enumerate(line.moves or []):
             yield from of_a_move(i, move, asked[i], expected, tolerance)
+            if rules_known:
+                yield from of_the_rules(i, move, expected)
 
 
 def of_a_move(
@@ -88,8 +90,12 @@ def of_a_move(
     ):
         if abs(exact(value, f"{place}.{field}") - right) > tolerance:
             yield Difference(move.body, field, readable(right), str(value))
+
+
+def of_the_rules(index: int, move: MoveRecord, expected: Expected) -> Iterator[Difference]:
+    """The first rule that a line says fired in one of its requests, and did not, or did not yet."""
     fired = fired_in(expected, index)
-    if not tolerance and move.fired is not None and move.fired != fired:
+    if move.fired is not None and move.fired != fired:
         first = next((i for i, pair in enumerate(fired) if move.fired[i : i + 1] != [pair]), len(fired))
         right_pair, told = (" ".join(pairs[first]) if first < len(pairs) else "none" for pairs in (fired, move.fired))
         yield Difference(move.body, f"fired[{first}]", right_pair, told)
@@ -101,9 +107,9 @@ def fired_in(expected: Expected, index: int) -> list[tuple[str, str]]:
     return [(bodies[body].name, rule) for body, rule in expected.records[index].fired]
 
 
-def of_the_events(line: LineRecord, profile: Profile, expected: Expected, tolerance: Fraction) -> Iterator[Difference]:
-    """What a line in exact numbers says of its events, and is not so."""
-    if tolerance or line.events is None:
+def of_the_events(line: LineRecord, profile: Profile, expected: Expected) -> Iterator[Difference]:
+    """What a line says of its events, and is not so."""
+    if line.events is None:
         return
     events = events_of(profile)
     fired = [pair for index in range(len(expected.records)) for pair in fired_in(expected, index)]
