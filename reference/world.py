@@ -261,12 +261,20 @@ class World(Generic[N]):
             up = up + held.height
             if not self.straight(held):
                 part = location / self.width(number - self.statics)  # type: ignore[operator]
-                x, y = linear(self.point(held.left), self.point(held.right), part)
+                x, y = linear(self.point(held.left), self.unrolled(held), part)
                 return x, y + up
             number, location = held.left.edge, held.left.location + location
         edge = self.graph.edges[number]
         start = self.graph.vertices[edge.left]
         return start.x + location * edge.run, start.y + location * edge.rise + up  # type: ignore[operator]
+
+    def unrolled(self, held: Body[N]) -> tuple[N, N]:
+        """Where the right border of a body is; on a cylinder never left of its left border."""
+        x, y = self.point(held.right)
+        circumference = self.graph.circumference
+        if circumference is not None and x < self.point(held.left)[0]:
+            return x + circumference, y
+        return x, y
 
     def tip_point(self, edge: int, direction: Direction) -> tuple[N, N]:
         """Where an end of an edge is: a static one exactly at its vertex, in floats too."""

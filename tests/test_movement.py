@@ -138,3 +138,18 @@ def test_numbers_keep_their_kind(floats):
     played.request("A", 2.5 if floats else Fraction(5, 2))
     kind = float if floats else Fraction
     assert all(isinstance(location, kind) for _, location in at(played, "A"))
+
+
+def test_a_rider_on_a_body_across_a_bend_at_the_seam_of_a_cylinder_is_above_it():
+    record = LevelRecord(
+        "graphbody/level@1",
+        "seam",
+        [("0", "0"), ("4", "3"), ("8", "0"), ("12", "0")],
+        [
+            BodyRecord("Box", Position("3", edge=3), Position("1", edge=0)),
+            BodyRecord("Rider", Position("1/2", top="Box"), Position("1", top="Box")),
+        ],
+        circumference="16",
+    )
+    world = Game(THESIS, level_of(record)).world
+    assert world.point(world.bodies[1].left) == (Fraction(309, 20), Fraction(23, 20))
