@@ -15,7 +15,7 @@ from shutil import copyfile, rmtree
 from properties.claims.claim import Claim
 from properties.evidence.files import RESULTS, RESULTS_LONG
 from properties.evidence.sources import sources
-from properties.explain import Fact, everything, facts, firings, witness_of
+from properties.explain import Fact, Firing, everything, facts, firings, witness_of
 from properties.pages import with_tables
 from properties.results import ClaimResult, Results
 from reference.draw import strip
@@ -162,14 +162,18 @@ def picture(one: Statement, shown: dict[str, ClaimResult], to: Path) -> Iterator
     """The picture of a rule where it fires, or of a claim by its witness."""
     if isinstance(one, Rule):
         found = firings()[one.id]
-        drawn = strip(recording(found.path), found.step - 1, found.step)
+        drawn, name = strip(recording(found.path), found.step - 1, found.step), picture_of(found)
         text = f"{one.id} in {found.path.stem}"
     elif isinstance(one, Claim) and shown[one.id].witness is not None:
         copyfile(witness_of(one), to / "witnesses" / witness_of(one).name)
-        drawn = strip(recording(witness_of(one)), 0)
+        drawn, name = strip(recording(witness_of(one)), 0), f"{slug(one.id)}.svg"
         text = f"the witness against {one.id}"
     else:
         return
-    drawing = to / "pictures" / f"{slug(one.id)}.svg"
-    drawing.write_text(drawn)
-    yield from (f"![{text}](pictures/{drawing.name})", "")
+    (to / "pictures" / name).write_text(drawn)
+    yield from (f"![{text}](pictures/{name})", "")
+
+
+def picture_of(found: Firing) -> str:
+    """The name of the picture of a step; rules that fire in the same one share it."""
+    return f"{found.path.stem}-{found.step}.svg"

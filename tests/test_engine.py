@@ -10,6 +10,18 @@ from properties.engine.merge import merged
 from properties.given import Exact, Infeasible
 
 
+def leave_branches_out(monkeypatch):
+    """Make the explorer forget the other branch of every fork."""
+    real = engine.Path.decide
+
+    def forgetful(self, formula):
+        branch = real(self, formula)
+        self.exploration.forks[-1].other_open = False
+        return branch
+
+    monkeypatch.setattr(engine.Path, "decide", forgetful)
+
+
 def test_a_true_promise_is_proved_on_every_path():
     def program(given):
         a, b = given.number("a"), given.number("b")
@@ -92,14 +104,7 @@ def test_paths_that_leave_values_out_are_noticed(monkeypatch):
         if a > 1:
             given.ensure("more", True)
 
-    real = engine.Path.decide
-
-    def forgetful(self, formula):
-        branch = real(self, formula)
-        self.exploration.forks[-1].other_open = False
-        return branch
-
-    monkeypatch.setattr(engine.Path, "decide", forgetful)
+    leave_branches_out(monkeypatch)
     with pytest.raises(EngineError, match="do not cover"):
         explore(program)
 
@@ -231,13 +236,6 @@ def test_a_part_that_assumes_something_is_refused():
 
 
 def test_a_part_whose_paths_leave_values_out_is_noticed(monkeypatch):
-    real = engine.Path.decide
-
-    def forgetful(self, formula):
-        branch = real(self, formula)
-        self.exploration.forks[-1].other_open = False
-        return branch
-
-    monkeypatch.setattr(engine.Path, "decide", forgetful)
+    leave_branches_out(monkeypatch)
     with pytest.raises(EngineError, match="of a part do not cover"):
         explore(smaller_and_larger)

@@ -7,7 +7,7 @@ import pytest
 
 from properties.claims.claim import Claim, Verdict
 from properties.explain import everything, firings, witness_of
-from properties.handbook import NoEvidence, page_of, slug, write_handbook
+from properties.handbook import NoEvidence, page_of, picture_of, slug, write_handbook
 from reference.draw import strip
 from reference.recording import recording
 from spec.rule import Rule
@@ -35,7 +35,7 @@ def test_every_entry_has_an_id():
 def test_the_picture_of_a_rule_is_drawn_by_this_version(rule):
     found = firings()[rule.id]
     drawn = strip(recording(found.path), found.step - 1, found.step)
-    assert (REFERENCE / "pictures" / f"{slug(rule.id)}.svg").read_text() == drawn, "run `make docs`"
+    assert (REFERENCE / "pictures" / picture_of(found)).read_text() == drawn, "run `make docs`"
 
 
 @pytest.mark.parametrize("claim", REFUTED, ids=lambda claim: claim.id)
