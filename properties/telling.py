@@ -5,19 +5,18 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from reference.play import Played
-from reference.simulator import Game
+from reference.play import AnyGame, Played
 from spec.body import EdgePosition
 
 
-def position(at: EdgePosition[Any], game: Game[Any]) -> str:
+def position(at: EdgePosition[Any], game: AnyGame) -> str:
     """An edge position as text: the edge's number, or whose top it is, and the location."""
     statics = game.world.statics
     edge = str(at.edge) if at.edge < statics else f"top of {game.world.bodies[at.edge - statics].name}"
     return f"{edge}:{at.location}"
 
 
-def text_lines(step: Played[Any] | None, game: Game[Any]) -> Iterator[str]:
+def text_lines(step: Played[Any] | None, game: AnyGame) -> Iterator[str]:
     """What was asked and moved, the rules that fired, where all bodies are, and whether the goal is reached."""
     for move in step.moves if step is not None else ():
         yield f"\n{move.body} asked {move.asked}, moved {move.moved}; chain of {move.depth}"
@@ -26,6 +25,9 @@ def text_lines(step: Played[Any] | None, game: Game[Any]) -> Iterator[str]:
             fired.setdefault(body, []).append(rule)
         for body, rules in fired.items():
             yield f"  {body}: {' '.join(rules)}"
+        for one in move.happened or ():
+            moving = ", ".join(f"{name} {speed}" for name, speed in one.velocities.items()) or "nobody"
+            yield f"  at {one.time}: {one.body} {one.rule}{f' {one.other}' if one.other else ''}; moving: {moving}"
     points = [game.world.point(held.left) for held in game.world.bodies]
     for (x, y), held in sorted(zip(points, game.world.bodies, strict=True), key=lambda pair: pair[0]):
         yield f"  {held.name} from {position(held.left, game)} to {position(held.right, game)}, at ({x}, {y})"

@@ -15,15 +15,19 @@ from reference.formats.files import FormatError, decode, one_line, pieces, read
 from reference.formats.level import LevelRecord, distances_per_tick, numbers_of, valid_level
 from reference.formats.numbers import check_sums, exact
 from reference.formats.scenario import RequestRecord, ScenarioRecord, StepRecord, TickRecord, read_scenario
+from reference.plan import check_plan
 from reference.simulator import Endless, Fulfilled, Game
+from reference.stepping import StepGame
 from reference.world import LevelError
 from spec.body import Body, Level
 from spec.graph import Direction
 from spec.number import N
-from spec.profiles import PROFILES, Profile
+from spec.profiles import PROFILES, AnyProfile, SteppedProfile
 from spec.transform import in_floats
 
 LIBRARY = Path(__file__).parent
+
+AnyGame = Game[Any] | StepGame[Any]
 
 
 @dataclass(frozen=True)
@@ -42,7 +46,7 @@ class Playing:
 
     scenario: ScenarioRecord
     level: LevelRecord
-    game: Game[Any]
+    game: AnyGame
     steps: Iterator[Played[Any]]
 
 
@@ -86,7 +90,7 @@ def read_playable(path: Path) -> tuple[ScenarioRecord, LevelRecord]:
     return ScenarioRecord("graphbody/scenario@1", level.name, level=path.name, steps=[], note=level.note), level
 
 
-def profile_of(name: str) -> Profile:
+def profile_of(name: str) -> AnyProfile:
     """The profile of a name.
 
     Raises:
@@ -97,7 +101,7 @@ def profile_of(name: str) -> Profile:
     return PROFILES[name]
 
 
-def set_up(scenario: ScenarioRecord, level: LevelRecord, floats: bool) -> Game[Any]:
+def set_up(scenario: ScenarioRecord, level: LevelRecord, floats: bool) -> AnyGame:
     """The game of a scenario at its start.
 
     Raises:
@@ -108,7 +112,23 @@ def set_up(scenario: ScenarioRecord, level: LevelRecord, floats: bool) -> Game[A
     distances = list(distances_of(scenario, held))
     asked = ((place, (distance,)) for place, distance in distances)
     check_sums(chain(numbers_of(held), distances_per_tick(held), asked))
-    return Game(profile, rounded(held) if floats else held)
+    numbers = rounded(held) if floats else held
+    if isinstance(profile, SteppedProfile):
+        check_storeys(held)
+        return StepGame(profile, numbers)
+    return Game(profile, numbers)
+
+
+def check_storeys(level: Level[Fraction]) -> None:
+    """Refuse a level that is not one of storeys.
+
+    Raises:
+        LevelError: with the place in the scenario.
+    """
+    try:
+        check_plan(level)
+    except LevelError as error:
+        raise error.under("$.level") from None
 
 
 def rounded(level: Level[Any]) -> Level[float]:
@@ -135,7 +155,7 @@ def distances_of(scenario: ScenarioRecord, level: Level[Any]) -> Iterator[tuple[
             yield place, exact(step.request.distance, place)
 
 
-def steps(game: Game[Any], asked: list[StepRecord], floats: bool, path: Path) -> Iterator[Played[Any]]:
+def steps(game: AnyGame, asked: list[StepRecord], floats: bool, path: Path) -> Iterator[Played[Any]]:
     """Play the steps one after another, tick by tick.
 
     Raises:
@@ -148,7 +168,7 @@ def steps(game: Game[Any], asked: list[StepRecord], floats: bool, path: Path) ->
             raise FormatError(f"{path}: $.steps[{number}]: {error}") from None
 
 
-def ticks(game: Game[Any], step: StepRecord, floats: bool) -> Iterator[Played[Any]]:
+def ticks(game: AnyGame, step: StepRecord, floats: bool) -> Iterator[Played[Any]]:
     """Play one step, tick by tick."""
     if step.request is not None:
         distance = exact(step.request.distance, "$")
@@ -159,7 +179,7 @@ def ticks(game: Game[Any], step: StepRecord, floats: bool) -> Iterator[Played[An
             yield played(game, tick, game.tick(Direction[tick.key.upper()]))
 
 
-def played(game: Game[Any], asked: RequestRecord | TickRecord, moves: list[Fulfilled[Any]]) -> Played[Any]:
+def played(game: AnyGame, asked: RequestRecord | TickRecord, moves: list[Fulfilled[Any]]) -> Played[Any]:
     """What came of a step, now that it has been played."""
     pressed = tuple(game.world.pressed(button) for button in game.level.buttons)
     return Played(asked, tuple(moves), tuple(game.world.bodies), pressed)

@@ -18,7 +18,7 @@ from reference.play import Played, Playing, format_of, play, profile_of
 from reference.simulator import Fulfilled
 from reference.world import LevelError, World, standing
 from spec.body import Body, Level
-from spec.profiles import Profile
+from spec.profiles import AnyProfile
 from spec.registry import rules_of
 
 
@@ -28,7 +28,7 @@ class Recording:
 
     header: HeaderRecord
     level: Level[Any]
-    profile: Profile
+    profile: AnyProfile
     lines: Iterator[LineRecord]
 
 
@@ -98,25 +98,34 @@ def lines_of(playing: Playing) -> Iterator[LineRecord]:
     return (line_of(step, number, level, events) for number, step in enumerate(playing.steps, start=1))
 
 
-def events_of(profile: Profile) -> dict[str, str]:
+def events_of(profile: AnyProfile) -> dict[str, str]:
     """The events of a profile, by the IDs of the rules by which they come about."""
     return {rule.id: rule.event for rule in rules_of(profile) if rule.event is not None}
 
 
 def line_of(step: Played[Any], number: int, level: Level[Any], events: dict[str, str]) -> LineRecord:
     """A step as it stands in a trace."""
-    fired = [pair for move in step.moves for pair in move.fired]
     return LineRecord(
         step=number,
         request=step.asked if isinstance(step.asked, RequestRecord) else None,
         tick=None if isinstance(step.asked, RequestRecord) else step.asked,
         moves=[move_record(move) for move in step.moves],
-        events=[EventRecord(body, events[rule], rule) for body, rule in fired if rule in events],
+        events=list(event_records(step, events)),
         bodies=[place_record(body, level) for body in step.bodies],
         supports=supports_of(step.bodies, level),
         pressed=list(step.pressed) if step.pressed else None,
         solved=all(step.pressed) if step.pressed else None,
     )
+
+
+def event_records(step: Played[Any], events: dict[str, str]) -> Iterator[EventRecord]:
+    """What happened in a step as it stands in a trace; with its time, where all bodies move at once."""
+    for move in step.moves:
+        for one in move.happened or ():
+            speeds = {name: number_text(speed) for name, speed in one.velocities.items()}
+            yield EventRecord(one.body, events[one.rule], one.rule, number_text(one.time), speeds, one.other)
+        if move.happened is None:
+            yield from (EventRecord(body, events[rule], rule) for body, rule in move.fired if rule in events)
 
 
 def move_record(move: Fulfilled[Any]) -> MoveRecord:

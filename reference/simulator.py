@@ -122,10 +122,28 @@ def move(
 
 
 @dataclass(frozen=True)
+class Happened(Generic[N]):
+    """Something that came at an instant of a step: to whom, by which rule, when since the step began.
+
+    Attributes:
+        velocities: those with which bodies moved up to it, if not 0.
+        other: the body that it met, or on which it stood or stands now, if any.
+    """
+
+    body: str
+    rule: str
+    time: N
+    velocities: dict[str, N]
+    other: str | None
+
+
+@dataclass(frozen=True)
 class Fulfilled(Generic[N]):
     """One request of a game: who was to move how far (negative to the left), how far it did, how, and at what cost.
 
-    `work` counts collision queries, edge look-ups and transitions to a next edge.
+    `depth` is how many bodies were asked, and `work` counts collision queries, edge look-ups and transitions to a next
+    edge. Where all move at once, the first of a step tells of all of it: what fired, what `happened` when (None where
+    bodies move one after another), how many bodies moved, and how many events came and rules were chosen.
     """
 
     body: str
@@ -134,6 +152,7 @@ class Fulfilled(Generic[N]):
     fired: tuple[tuple[str, str], ...]
     depth: int
     work: dict[str, int]
+    happened: tuple[Happened[N], ...] | None = None
 
 
 @dataclass
@@ -171,4 +190,4 @@ class Game(Generic[N]):
 
     def per_tick(self, speed: N) -> N:
         """The distance that a speed covers in one tick."""
-        return speed * self.level.tick  # type: ignore[operator]
+        return speed * self.level.tick

@@ -260,13 +260,13 @@ class World(Generic[N]):
             held = self.bodies[number - self.statics]
             up = up + held.height
             if not self.straight(held):
-                part = location / self.width(number - self.statics)  # type: ignore[operator]
+                part = location / self.width(number - self.statics)
                 x, y = linear(self.point(held.left), self.unrolled(held), part)
                 return x, y + up
             number, location = held.left.edge, held.left.location + location
         edge = self.graph.edges[number]
         start = self.graph.vertices[edge.left]
-        return start.x + location * edge.run, start.y + location * edge.rise + up  # type: ignore[operator]
+        return start.x + location * edge.run, start.y + location * edge.rise + up
 
     def unrolled(self, held: Body[N]) -> tuple[N, N]:
         """Where the right border of a body is; on a cylinder never left of its left border."""

@@ -12,7 +12,7 @@ Point = tuple[float, float]
 def linear(start: tuple[N, N], end: tuple[N, N], part: N) -> tuple[N, N]:
     """The point a part of the way from one point to another, on the straight line."""
     (x, y), (far_x, far_y) = start, end
-    return x + (far_x - x) * part, y + (far_y - y) * part  # type: ignore[operator]
+    return x + (far_x - x) * part, y + (far_y - y) * part
 
 
 def circular(start: Point, end: Point, part: float) -> Point:

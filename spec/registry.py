@@ -9,10 +9,11 @@ from spec.guidelines import GUIDELINES
 from spec.invariants import OF_ONE_REQUEST, RELATIONS
 from spec.models import MODELS
 from spec.plane import IN_PLANE
-from spec.profiles import PROFILES, Profile
+from spec.profiles import PROFILES, AnyProfile
 from spec.readings import READINGS
 from spec.rule import AnyRule, Family
-from spec.rules.request import FAMILIES
+from spec.rules.request import FAMILIES, Rules
+from spec.rules.step import STEP_FAMILIES
 from spec.unsupported import CASES, RECORDED
 
 
@@ -36,9 +37,10 @@ class Statement(Protocol):
         """Sections of the thesis; rows of its register."""
 
 
-def rules_of(profile: Profile) -> list[AnyRule]:
+def rules_of(profile: AnyProfile) -> list[AnyRule]:
     """The rules of a profile, chapter by chapter."""
-    families = (getattr(profile.rules, name) for name in FAMILIES)
+    names = FAMILIES if isinstance(profile.rules, Rules) else STEP_FAMILIES
+    families = (getattr(profile.rules, name) for name in names)
     return [rule for family in families if isinstance(family, Family) for rule in family.rules]
 
 

@@ -13,7 +13,7 @@ from properties.conformance.log import Step
 from reference.formats.numbers import readable
 from reference.recording import events_of
 from reference.simulator import Endless
-from spec.profiles import PROFILES, Profile
+from spec.profiles import OF_REQUESTS, Profile
 from spec.rule import AnyRule, Chooser, Family, GuardError
 
 MOST_TRIALS, MOST_WORK = 200, 100_000
@@ -126,7 +126,7 @@ def diagnose(profile: Profile, step: Step, judgement: Judgement, tolerance: Frac
     culprit = as_if(profile, of_body, as_seen, trials)
     asker = decisions_for(expected, notebook, asker_of(expected, difference.body))
     decision, instead = culprit if culprit is not None else (most_telling(of_body, asker), None)
-    profiles = tuple(name for name, other in PROFILES.items() if other is not profile and as_seen(other))
+    profiles = tuple(name for name, other in OF_REQUESTS.items() if other is not profile and as_seen(other))
     guards = {} if decision is None else guards_at(profile, step, decision)
     return Diagnosis(difference, decision, guards, instead, profiles, tuple(story(profile, expected)))
 

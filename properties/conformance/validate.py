@@ -29,6 +29,7 @@ from reference.world import LevelError, World
 from spec.graph import Direction, EdgeType
 from spec.invariants import NO_OVERLAP, RIGID_WIDTH, Deed, Invariant
 from spec.plane import APART, NEVER_RAISED, PLANE_MARGIN, TERRAIN
+from spec.profiles import OF_REQUESTS, Profile
 
 OF_STRINGS: tuple[Invariant, ...] = (NO_OVERLAP, RIGID_WIDTH)
 IN_PLANE: tuple[Invariant, ...] = (APART, PLANE_MARGIN, TERRAIN)
@@ -106,14 +107,19 @@ def validate(path: Path) -> Report:
         Crash: if this program fails.
     """
     log = read_trace(path)
-    report = Report(path, log.profile.name)
+    if not isinstance(log.profile, Profile):
+        expected = (
+            f"expected one of {', '.join(OF_REQUESTS)}, got {log.profile.name!r}, of which no trace is judged yet"
+        )
+        raise FormatError(f"{path}:1: $.profile: {expected}")
+    profile, report = log.profile, Report(path, log.profile.name)
     try:
         grid = grid_of(log)
     except LevelError as error:
         raise FormatError(one_line(f"{path}:1: {error}")) from None
     try:
-        for step in steps_of(path, log):
-            look_at(step, log, grid, report)
+        for step in steps_of(path, log, profile):
+            look_at(step, log, profile, grid, report)
     except Endless as error:
         report.unread = f"{path}:{step.number}: $: {error}"
     except FormatError as error:
@@ -127,7 +133,7 @@ def validate(path: Path) -> Report:
     return report
 
 
-def steps_of(path: Path, log: Recording) -> Iterator[Step]:
+def steps_of(path: Path, log: Recording, profile: Profile) -> Iterator[Step]:
     """The steps of a log, one after another.
 
     Raises:
@@ -136,7 +142,7 @@ def steps_of(path: Path, log: Recording) -> Iterator[Step]:
     """
     state = World(log.level)
     for number, line in enumerate(log.lines, start=2):
-        asked, after = requests_of(log.level, log.profile, line), world_after(log, line, f"{path}:{number}")
+        asked, after = requests_of(log.level, profile, line), world_after(log, line, f"{path}:{number}")
         yield Step(number, state, asked, line, after)
         state = after
 
@@ -153,21 +159,23 @@ def world_after(log: Recording, line: LineRecord, where: str) -> World[Fraction]
         raise StateError(one_line(f"{where}: {error}")) from None
 
 
-def look_at(step: Step, log: Recording, grid: Grid | None, report: Report) -> None:
+def look_at(step: Step, log: Recording, profile: Profile, grid: Grid | None, report: Report) -> None:
     """Judge a step; explain it if it is the first of its kind."""
     tolerance = tolerance_of(log.header, log.level, step.asked)
-    judgement = judge(log.profile, step.before, step.asked, step.after, tolerance)
+    judgement = judge(profile, step.before, step.asked, step.after, tolerance)
     finding, differences = judgement.finding, judgement.differences
     said = [*of_the_grid(step, grid), *of_the_state(step.line, step.after, tolerance)]
     if finding in (Finding.AGREES, Finding.ONE_OF_SEVERAL):
         rules_known = finding is Finding.AGREES and not tolerance and in_one_order(step.before)
         said += of_the_moves(step.line, step.asked, judgement.expected, tolerance, rules_known)
-        said += of_the_events(step.line, log.profile, judgement.expected) if rules_known else ()
+        said += of_the_events(step.line, profile, judgement.expected) if rules_known else ()
     if said and finding is not Finding.DIVERGES:
         finding, differences = Finding.DIVERGES, tuple(said)
     report.found[finding] += 1
     if finding in (Finding.DIVERGES, Finding.AMBIGUOUS) and report.first is None:
-        report.first = trouble(step, log, replace(judgement, finding=finding, differences=differences), tolerance)
+        report.first = trouble(
+            step, log, profile, replace(judgement, finding=finding, differences=differences), tolerance
+        )
     for invariant in broken_by(step, tolerance):
         report.broken.setdefault(invariant.id, Breach(step.number, allowed=finding is not Finding.DIVERGES))
 
@@ -178,14 +186,14 @@ def in_one_order(world: World[Fraction]) -> bool:
     return len(set(begins)) == len(begins)
 
 
-def trouble(step: Step, log: Recording, judgement: Judgement, tolerance: Fraction) -> Trouble:
+def trouble(step: Step, log: Recording, profile: Profile, judgement: Judgement, tolerance: Fraction) -> Trouble:
     """All that can be said of a step that diverges."""
     moved = [difference for difference in judgement.differences if difference.field in ("left", "right")]
     if not moved:
         return Trouble(step, judgement.finding, judgement.differences, None, None)
-    diagnosis = diagnose(log.profile, step, judgement, tolerance)
+    diagnosis = diagnose(profile, step, judgement, tolerance)
     slack = diagnosis.difference.apart / 4 or ANY_SLACK
-    reduction = Reduction(log.profile, step, diagnosis.difference.body, judgement.expected, slack)
+    reduction = Reduction(profile, step, diagnosis.difference.body, judgement.expected, slack)
     note = f"Line {step.number} of {log.header.name} has {diagnosis.difference}."
     scenario = reduction.smallest(f"line-{step.number}", note)
     in_floats = rounding("float64", log.level, *(distance for _, _, distance in step.asked))

@@ -138,10 +138,10 @@ def chase(claim_id: str, seed: int) -> Showing:
 def sample(profile_name: str, floats: bool) -> Showing:
     """Test every invariant on random rows."""
     from properties.evidence.sample import FLOORS, campaign
-    from spec.profiles import PROFILES
+    from spec.profiles import OF_REQUESTS
 
     started = time.perf_counter()
-    result = campaign(PROFILES[profile_name], floats)
+    result = campaign(OF_REQUESTS[profile_name], floats)
     failures = {name: str(trial) for name, trial in result.failures.items()}
     open_ = tuple(f"too few trials: {name}" for name in result.tame)
     shares = {name: (result.shares[name] / result.cases, floor) for name, floor in FLOORS.items()}

@@ -1,0 +1,272 @@
+"""The plan of a level: its storeys, made from its graph, and the way back from places on storeys to edge positions.
+
+A level of the graph is one of storeys if all its bodies have one height, its ground is level, at multiples of that
+above a closed floor, and its terrain is solid in whole storeys. Any other is refused, with the place in the way.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from typing import Any, Generic
+
+from reference.storeys import Interval, Place, StoreyWorld, Terrain, once_round
+from reference.world import LevelError, Row, World
+from spec.body import Body, EdgePosition, Level
+from spec.graph import Direction, Edge, EdgeType
+from spec.number import N, greater, lesser, zero_like
+
+
+@dataclass(frozen=True)
+class String(Generic[N]):
+    """A string of ground edges on a storey: where it begins in the plane, and its edges laid end to end."""
+
+    storey: int
+    start: N
+    row: Row[N]
+
+
+@dataclass(frozen=True)
+class Plan(Generic[N]):
+    """A level, the terrain of its storeys, and the strings of its graph on them, from left to right."""
+
+    level: Level[N]
+    terrain: Terrain[N]
+    strings: tuple[String[N], ...]
+
+    def start(self) -> StoreyWorld[N]:
+        """The bodies on their storeys, where the level has them."""
+        world = World(self.level)
+        places = [self.place(world, body) for body in world.handles()]
+        return StoreyWorld(self.terrain, self.level.margin, places)
+
+    def place(self, world: World[N], body: int) -> Place[N]:
+        """Where a body of a world of edge positions stands."""
+        held = world.bodies[body]
+        left, height = world.point(held.left)
+        round_ = self.terrain.circumference
+        left = left if round_ is None else once_round(left, round_)
+        return Place(self.storey_at(height), left, world.width(body), world.support(body), held.pushes)
+
+    def storey_at(self, height: N) -> int:
+        """The storey of a height."""
+        return storey_of(self.level, height)
+
+    def bodies(self, world: StoreyWorld[N]) -> tuple[Body[N], ...]:
+        """The bodies of the level with their borders where they are on the storeys."""
+        return tuple(self.body(world, body, held) for body, held in enumerate(self.level.bodies))
+
+    def body(self, world: StoreyWorld[N], body: int, held: Body[N]) -> Body[N]:
+        """A body with its borders as edge positions on the top, or the string of edges, that it stands on."""
+        place = world.places[body]
+        if place.support is not None:
+            top, offset = len(self.level.graph.edges) + place.support, world.offset(body, place.support)
+            return replace(held, left=EdgePosition(top, offset), right=EdgePosition(top, offset + place.width))
+        string, along = self.under(place)
+        return replace(
+            held,
+            left=edge_position(string.row, along, Direction.LEFT),
+            right=edge_position(string.row, along + place.width, Direction.RIGHT),
+        )
+
+    def under(self, place: Place[N]) -> tuple[String[N], N]:
+        """The first string under a body on the ground, and where along it its left border is."""
+        for string in self.strings:
+            if string.storey == place.storey:
+                for along in self.alongs(string, place):
+                    if along < string.row.length and along + place.width > zero_like(along):
+                        return string, along
+        raise AssertionError("a body on the ground is over a string of edges")
+
+    def alongs(self, string: String[N], place: Place[N]) -> Iterator[N]:
+        """Where along a string a body's left border is; on a ring there are two ways to see it."""
+        along, round_ = place.left - string.start, self.terrain.circumference
+        if round_ is None:
+            yield along
+        else:
+            along = once_round(along, round_)
+            yield along
+            yield along - round_
+
+
+def edge_position(row: Row[N], along: N, side: Direction) -> EdgePosition[N]:
+    """A place along a string as an edge position; at a vertex a border is on the edge that its body is on (A57).
+
+    Beyond the ends of the string it overhangs the last edge there.
+    """
+    if row.closed and along >= row.length and (side is Direction.LEFT or along > row.length):
+        along = along - row.length
+    last = row.edges[-1]
+    for edge, following in zip(row.edges, [*row.edges[1:], None], strict=True):
+        end = row.length if following is None else row.offsets[following]
+        if along < end or (side is Direction.RIGHT and along <= end) or edge == last:
+            return EdgePosition(edge, along - row.offsets[edge])
+    raise AssertionError("a string has edges")
+
+
+def base_of(level: Level[N]) -> N:
+    """The height of the lowest ground: the floor."""
+    heights = [level.graph.vertices[edge.left].y for edge in grounds_of(level)]
+    lowest = heights[0]
+    for height in heights:
+        lowest = lesser(lowest, height)
+    return lowest
+
+
+def grounds_of(level: Level[N]) -> list[Edge[N]]:
+    """The ground edges of a level."""
+    return [edge for edge in level.graph.edges if edge.type is EdgeType.GROUND]
+
+
+def storey_of(level: Level[N], height: N) -> int:
+    """The storey of a height: in floats the nearest."""
+    storeys: Any = (height - base_of(level)) / level.bodies[0].height
+    return int(storeys.__round__())
+
+
+def plan_of(level: Level[N]) -> Plan[N]:
+    """The plan of a level that is one of storeys, in exact numbers or in floats."""
+    world = World(level)
+    strings = []
+    for row in world.rows:
+        if row.edges[0] < world.statics:
+            corner = level.graph.vertices[level.graph.edges[row.edges[0]].left]
+            strings.append(String(storey_of(level, corner.y), corner.x, row))
+    return Plan(level, terrain_of(level), tuple(strings))
+
+
+def terrain_of(level: Level[N]) -> Terrain[N]:
+    """What is solid on each storey of a level."""
+    round_ = level.graph.circumference
+    top = max(storey_of(level, level.graph.vertices[edge.left].y) for edge in grounds_of(level))
+    solid = [merged(solids(level, storey), round_) for storey in range(top)]
+    return Terrain(tuple(solid), None if round_ is not None else ends_of(level), round_)
+
+
+def ends_of(level: Level[N]) -> Interval[N]:
+    """Where the ground of a level begins and ends."""
+    places = [level.graph.vertices[vertex].x for edge in grounds_of(level) for vertex in (edge.left, edge.right)]
+    left = right = places[0]
+    for place in places:
+        left, right = lesser(left, place), greater(right, place)
+    return Interval(left, right)
+
+
+def solids(level: Level[N], storey: int) -> Iterator[Interval[N]]:
+    """The ground edges whose terrain fills a storey, from left to right; -1 is what is below the floor."""
+    for edge in sorted(grounds_of(level), key=lambda edge: level.graph.vertices[edge.left].x):
+        corner = level.graph.vertices[edge.left]
+        lowest = -1 if edge.thickness is None else storey_of(level, corner.y - edge.thickness)
+        if lowest <= storey < storey_of(level, corner.y):
+            yield Interval(corner.x, corner.x + edge.length)
+
+
+def merged(intervals: Iterable[Interval[N]], circumference: N | None) -> tuple[Interval[N], ...]:
+    """Intervals, given by their left ends in order, as few as cover the same; on a ring also across its seam."""
+    found: list[Interval[N]] = []
+    for one in intervals:
+        if found and one.left <= found[-1].right:
+            found[-1] = Interval(found[-1].left, greater(found[-1].right, one.right))
+        else:
+            found.append(one)
+    if circumference is not None and len(found) > 1 and found[-1].right >= found[0].left + circumference:
+        found = [*found[1:-1], Interval(found[-1].left, found[0].right + circumference)]
+    return tuple(found)
+
+
+def check_plan(level: Level[Fraction]) -> None:
+    """Refuse a level that is not one of storeys.
+
+    Raises:
+        LevelError: with the first place that is in the way, and what is expected there.
+    """
+    check_sizes(level)
+    for index, edge in enumerate(level.graph.edges):
+        check_edge(level, index, edge)
+    check_floor(level)
+    check_ends(level)
+    check_bodies(level)
+
+
+def check_sizes(level: Level[Fraction]) -> None:
+    """Refuse bodies of several heights, or not wider than the margin."""
+    if not level.bodies:
+        raise LevelError("$.bodies", "expected a body: its height is that of a storey")
+    world = World(level)
+    for index, body in enumerate(level.bodies):
+        if body.height != level.bodies[0].height:
+            expected = f"expected {level.bodies[0].height}, the height of the first body, got {body.height}"
+            raise LevelError(f"$.bodies[{index}].height", expected)
+        if world.width(index) <= level.margin:
+            raise LevelError(f"$.bodies[{index}]", f"expected a width greater than the margin, {level.margin}")
+
+
+def check_edge(level: Level[Fraction], index: int, edge: Edge[Fraction]) -> None:
+    """Refuse slopes, slanted fall edges, ground between two storeys, and terrain that fills part of one."""
+    place, height = f"$.vertices[{edge.left}]", level.bodies[0].height
+    if edge.type is EdgeType.FALL:
+        if edge.run:
+            raise LevelError(place, f"expected fall edge {index} to be vertical")
+        return
+    if edge.rise:
+        raise LevelError(place, f"expected ground edge {index} to be level")
+    up = level.graph.vertices[edge.left].y - base_of(level)
+    if up % height:
+        raise LevelError(f"{place}.y", f"expected a multiple of {height}, a body's height, above the floor, got {up}")
+    if edge.thickness is not None and (edge.thickness % height or not edge.thickness):
+        place = f"$.edges[{index}].thickness"
+        raise LevelError(place, f"expected a multiple of {height}, the height of a body, got {edge.thickness}")
+
+
+def check_floor(level: Level[Fraction]) -> None:
+    """Refuse a level in which one could fall for ever."""
+    floor = merged(solids(level, -1), level.graph.circumference)
+    if level.graph.circumference is not None:
+        closed = len(floor) == 1 and floor[0].right - floor[0].left >= level.graph.circumference
+    else:
+        closed = len(floor) == 1 and floor[0] == ends_of(level)
+    if not closed:
+        where = f"between {floor[0].right} and {floor[1].left}" if len(floor) > 1 else "at an end"
+        raise LevelError("$.vertices", f"expected a closed floor, there is none {where}")
+
+
+def check_ends(level: Level[Fraction]) -> None:
+    """Refuse ground that ends in the open without a fall edge: in the graph that is a wall, on storeys it is none."""
+    plan = plan_of(level)
+    world = World(level)
+    for string in plan.strings:
+        for direction in Direction if not string.row.closed else ():
+            edge = string.row.edges[-1 if direction is Direction.RIGHT else 0]
+            x = string.start + (string.row.length if direction is Direction.RIGHT else 0)
+            if world.facing(direction).fall_edge(edge) is None and is_open(plan, string.storey, x, direction):
+                vertex = level.graph.edges[edge].towards(direction)
+                raise LevelError(f"$.vertices[{vertex}]", "expected a wall or a fall edge where the ground ends")
+
+
+def is_open(plan: Plan[Fraction], storey: int, x: Fraction, direction: Direction) -> bool:
+    """Whether there is no wall just beyond a place."""
+    terrain = plan.terrain
+    if terrain.ends is not None and x == (terrain.ends.right if direction is Direction.RIGHT else terrain.ends.left):
+        return False
+    for solid in terrain.on(storey):
+        side = solid.left if direction is Direction.RIGHT else solid.right
+        around = [x] if terrain.circumference is None else [x, x + terrain.circumference, x - terrain.circumference]
+        if side in around or any(solid.left < image < solid.right for image in around):
+            return False
+    return True
+
+
+def check_bodies(level: Level[Fraction]) -> None:
+    """Refuse bodies in terrain, or nearer to each other than the margin."""
+    world = plan_of(level).start()
+    for body in range(len(level.bodies)):
+        inside = any(
+            room < 0 for direction in Direction for room in [world.to_wall(body, direction)] if room is not None
+        )
+        if inside or world.in_terrain(body):
+            raise LevelError(f"$.bodies[{body}]", "expected a body outside all terrain")
+    for left, right in world.neighbours():
+        if world.gap(left, right) < level.margin:
+            names = f"{level.bodies[left].name!r} and {level.bodies[right].name!r}"
+            raise LevelError(f"$.bodies[{right}]", f"{names} are {world.gap(left, right)} apart, less than the margin")

@@ -1,0 +1,162 @@
+"""Playing under rules by which all bodies move at once: steps on storeys, with a record of what came when."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field, replace
+from typing import Any, Generic
+
+from reference.plan import plan_of
+from reference.simulator import MOST_FIRED, Endless, Fulfilled, Happened
+from reference.storeys import StoreyWorld
+from reference.world import World
+from spec.body import Level
+from spec.graph import Direction
+from spec.number import N, greater, zero_like
+from spec.profiles import SteppedProfile
+from spec.rule import AnyRule, Chooser
+from spec.rules.settle import Change
+from spec.rules.step import Event, Moment, StepRules, step
+from spec.storeys import Contact, Drive, Seat
+
+COMING = ("event/contact", "event/wall", "event/support-lost")
+"""The rules that say when something comes: they have fired when it has come."""
+
+
+@dataclass
+class StepRecord:
+    """The rules that fired in a step, each with its body, once; `most` is how often rules may be chosen."""
+
+    most: int
+    chosen: int = 0
+    fired: dict[tuple[int, str], None] = field(default_factory=dict)
+
+    def count(self) -> None:
+        """Count a choice.
+
+        Raises:
+            Endless: if there are too many.
+        """
+        self.chosen += 1
+        if self.chosen > self.most:
+            raise Endless(f"expected a step that ends, more than {self.most} rules fired")
+
+
+@dataclass(frozen=True)
+class Noted:
+    """A family whose choices are written into a record."""
+
+    family: Chooser
+    record: StepRecord
+
+    def choose(self, facts: Any) -> AnyRule:
+        """Return the rule that applies, recorded."""
+        rule = self.family.choose(facts)
+        self.record.count()
+        if not rule.id.startswith(COMING):
+            self.record.fired[facts.body, rule.id] = None
+        return rule
+
+
+def run(
+    rules: StepRules, world: StoreyWorld[N], drives: Mapping[int, Drive[N]], duration: N, most: int = MOST_FIRED
+) -> tuple[list[Moment[N]], StepRecord]:
+    """Drive the bodies of a world for a time; return what came, and the rules that fired.
+
+    Raises:
+        Endless: if rules are chosen more than `most` times.
+    """
+    record = StepRecord(most)
+    noted = rules.through(lambda family: Noted(family, record))
+    moments = []
+    for moment in step(noted, world, drives, duration):
+        moments.append(moment)
+        record.fired.update({(event.mark.body, event.rule): None for event in moment.events})
+    return moments, record
+
+
+def told(names: list[str], duration: N, moments: list[Moment[N]]) -> Iterator[Happened[N]]:
+    """What came in a step, in order, each with the time since its start and the velocities up to it."""
+    for moment in moments:
+        moving = {names[body]: speed for body, speed in moment.velocities.items() if speed != zero_like(speed)}
+        come: list[Event[N] | Change] = [*moment.events, *moment.changes]
+        for what in come:
+            body, other = who(what)
+            second = None if other is None else names[other]
+            yield Happened(names[body], what.rule, duration - moment.left, moving, second)
+
+
+def who(what: Event[Any] | Change) -> tuple[int, int | None]:
+    """Whom something happens to, and the other body that it is about: met, lost or found."""
+    if isinstance(what, Change):
+        return what.seat.body, what.seat.support
+    if isinstance(what.mark, Contact):
+        return what.mark.left, what.mark.right
+    return what.mark.body, what.mark.support if isinstance(what.mark, Seat) else None
+
+
+@dataclass
+class StepGame(Generic[N]):
+    """A level of storeys being played: requests and ticks, one after another.
+
+    `most` is how many rules may fire in a step. The level is one of storeys, which is for `check_plan` to check, in
+    exact numbers.
+    """
+
+    profile: SteppedProfile
+    level: Level[N]
+    most: int = MOST_FIRED
+
+    def __post_init__(self) -> None:
+        """Set the level up."""
+        self.plan = plan_of(self.level)
+        self.storeys = self.plan.start()
+        self.world = World(self.level)
+        self.names = [body.name for body in self.level.bodies]
+
+    def request(self, body: str, distance: N) -> Fulfilled[N]:
+        """Drive one body at unit speed for as long as a signed distance, positive to the right."""
+        zero = zero_like(distance)
+        one, handle = unit(distance), self.names.index(body)
+        speed = one * -1 if distance < zero else one
+        alone = Drive(speed, relative=not self.level.bodies[handle].speed)
+        return self.step({handle: alone}, greater(distance, zero - distance))[0]
+
+    def tick(self, direction: Direction) -> list[Fulfilled[N]]:
+        """One tick with one key held: each character walks at its speed (R1, R4)."""
+        walking = {
+            handle: Drive(body.speed * direction, relative=False)
+            for handle, body in enumerate(self.level.bodies)
+            if body.speed
+        }
+        return self.step(walking, self.level.tick)
+
+    def step(self, driven: Mapping[int, Drive[N]], duration: N) -> list[Fulfilled[N]]:
+        """Drive some bodies for a time; what came of it is told with the first of them."""
+        still = {body: Drive(zero_like(duration)) for body in range(len(self.names))}
+        moments, record = run(self.profile.rules, self.storeys, {**still, **driven}, duration, self.most)
+        self.world = World(replace(self.level, bodies=self.plan.bodies(self.storeys)))
+        fired = tuple((self.names[body], rule) for body, rule in record.fired)
+        happened = tuple(told(self.names, duration, moments))
+        movers = {body for moment in moments for body, speed in moment.velocities.items() if speed * moment.moved}
+        depth, work = len(movers), {"events": sum(len(moment.events) for moment in moments), "choices": record.chosen}
+        results = []
+        for body, drive in driven.items():
+            moved = sum_of([moment.velocities[body] * moment.moved for moment in moments], duration)
+            asked = drive.speed * duration
+            results.append(Fulfilled(self.names[body], asked, moved, fired, depth, work, happened))
+            fired, happened, work = (), (), {}
+        return results
+
+
+def unit(like: Any) -> Any:
+    """One, as a number of the same kind."""
+    return type(like)(1)
+
+
+def sum_of(numbers: list[N], like: N) -> N:
+    """The sum of numbers."""
+    total = zero_like(like)
+    for number in numbers:
+        total = total + number
+    return total

@@ -1,0 +1,249 @@
+"""The storeys of a level at one moment: solid intervals, and the bodies on them in order.
+
+A body's handle is its place in the level's list of bodies. On a ring places are counted once round.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from typing import Generic
+
+from spec.graph import Direction
+from spec.number import N, Truth, greater, lesser, zero_like
+
+
+@dataclass(frozen=True)
+class Interval(Generic[N]):
+    """What lies between two places; on a ring the right one may be beyond once round."""
+
+    left: N
+    right: N
+
+
+@dataclass(frozen=True)
+class Terrain(Generic[N]):
+    """What is solid: for each storey, intervals from left to right with room between them.
+
+    The floor is closed. Nothing is solid on storeys that are not listed. On a line both ends are walls, as high as one
+    likes; on a ring there are none.
+    """
+
+    solid: tuple[tuple[Interval[N], ...], ...]
+    ends: Interval[N] | None
+    circumference: N | None = None
+
+    def on(self, storey: int) -> tuple[Interval[N], ...]:
+        """What is solid on a storey."""
+        return self.solid[storey] if storey < len(self.solid) else ()
+
+
+@dataclass(frozen=True)
+class Place(Generic[N]):
+    """Where a body is: its storey, its left border, its width, the body that it stands on (None: the ground)."""
+
+    storey: int
+    left: N
+    width: N
+    support: int | None
+    pushes: bool = True
+
+    @property
+    def right(self) -> N:
+        """Its right border."""
+        return self.left + self.width
+
+
+class StoreyWorld(Generic[N]):
+    """A world of storeys (`spec.storeys.Storeys`). It is changed by advancing and letting down bodies."""
+
+    def __init__(self, terrain: Terrain[N], margin: N, places: Sequence[Place[N]]) -> None:
+        """Put the bodies in order, storey by storey."""
+        self.terrain, self.margin, self.places = terrain, margin, list(places)
+        self.rows: dict[int, list[int]] = {}
+        for body, place in enumerate(places):
+            self.rows.setdefault(place.storey, []).append(body)
+        for storey in self.rows:
+            self.order(storey)
+
+    def order(self, storey: int) -> None:
+        """Put the bodies of a storey in order."""
+        self.rows[storey].sort(key=lambda body: self.places[body].left)
+
+    def copy(self) -> StoreyWorld[N]:
+        """An independent copy; the terrain is shared."""
+        other = StoreyWorld(self.terrain, self.margin, ())
+        other.places, other.rows = list(self.places), {storey: list(row) for storey, row in self.rows.items()}
+        return other
+
+    def storeys(self) -> Sequence[int]:
+        """The storeys on which bodies stand, the lowest first."""
+        return sorted(storey for storey, row in self.rows.items() if row)
+
+    def row(self, storey: int) -> Sequence[int]:
+        """The bodies on a storey from left to right."""
+        return tuple(self.rows[storey])
+
+    def storey(self, body: int) -> int:
+        """The storey of a body."""
+        return self.places[body].storey
+
+    def support(self, body: int) -> int | None:
+        """The body on whose top a body stands."""
+        return self.places[body].support
+
+    def pushes(self, body: int) -> bool:
+        """Whether the body may push others."""
+        return self.places[body].pushes
+
+    def neighbours(self) -> Iterator[tuple[int, int]]:
+        """Each body with the next one on its right, if no wall is between them."""
+        for row in self.rows.values():
+            for left, right in zip(row, [*row[1:], *row[:1]], strict=True):
+                follows = self.terrain.circumference is not None or right is not row[0]
+                if follows and left != right and self.free_between(left, right):
+                    yield left, right
+
+    def free_between(self, left: int, right: int) -> bool:
+        """Whether no wall is between two bodies."""
+        wall = self.to_wall(left, Direction.RIGHT)
+        return wall is None or bool(wall >= self.gap(left, right))
+
+    def gap(self, left: int, right: int) -> N:
+        """Distance from the right border of a body to the left border of its right neighbour."""
+        return self.round(self.places[right].left - self.places[left].left) - self.places[left].width
+
+    def round(self, distance: N) -> N:
+        """A distance to the right; on a ring the one that is greater than 0 and at most once round."""
+        circumference = self.terrain.circumference
+        if circumference is None or distance > zero_like(distance):
+            return distance
+        return distance + circumference
+
+    def to_wall(self, body: int, direction: Direction) -> N | None:
+        """Distance from a body's border to the nearest wall on that side."""
+        found = None
+        for room in self.rooms(self.places[body], direction):
+            found = room if found is None else lesser(found, room)
+        return found
+
+    def rooms(self, place: Place[N], direction: Direction) -> Iterator[N]:
+        """Distances to the walls on one side."""
+        ends = self.terrain.ends
+        if ends is not None:
+            yield ends.right - place.right if direction is Direction.RIGHT else place.left - ends.left
+        for solid in self.terrain.on(place.storey):
+            if direction is Direction.RIGHT:
+                away, size = self.round(solid.left - place.left), place.width
+            else:
+                away, size = self.round(place.left - solid.left), solid.right - solid.left
+            if away > zero_like(away):
+                yield away - size
+
+    def to_loss(self, body: int, direction: Direction) -> N | None:
+        """How far a body can move relative to its support until that no longer holds it."""
+        place = self.places[body]
+        if place.support is not None:
+            offset, below = self.offset(body, place.support), self.places[place.support]
+            beyond = below.width - offset if direction is Direction.RIGHT else offset + place.width
+            return beyond + self.margin
+        return self.to_ledge(place, direction) if place.storey else None
+
+    def to_ledge(self, place: Place[N], direction: Direction) -> N | None:
+        """How far a body on the ground can move until it is over none, across gaps that it does not fit into."""
+        start = zero_like(place.left) if direction is Direction.RIGHT else place.width * -1
+        reach, round_ = start, self.terrain.circumference
+        for ground in sorted(self.grounds(place, direction), key=lambda ground: ground.left):
+            if ground.left < reach + place.width and ground.right > reach:
+                reach = ground.right
+        return None if round_ is not None and reach - start >= round_ else reach - start
+
+    def grounds(self, place: Place[N], direction: Direction) -> Iterator[Interval[N]]:
+        """The grounds of a storey seen from a body's left border in a direction; on a ring also once round."""
+        round_ = self.terrain.circumference
+        for solid in self.terrain.on(place.storey - 1):
+            left, right = solid.left - place.left, solid.right - place.left
+            for by in [zero_like(left)] if round_ is None else [round_ * -1, zero_like(left), round_]:
+                near, far = left + by, right + by
+                yield Interval(near, far) if direction is Direction.RIGHT else Interval(far * -1, near * -1)
+
+    def offset(self, body: int, below: int) -> N:
+        """How far the left border of a body is to the right of that of another, the short way round on a ring."""
+        return self.short(self.places[body].left - self.places[below].left)
+
+    def short(self, distance: N) -> N:
+        """A distance; on a ring the short way round."""
+        circumference = self.terrain.circumference
+        if circumference is None:
+            return distance
+        if distance * 2 > circumference:
+            return distance - circumference
+        return distance + circumference if distance * 2 < zero_like(distance) - circumference else distance
+
+    def holds(self, body: int) -> Truth:
+        """Whether a body's support holds it."""
+        support = self.places[body].support
+        if support is None:
+            return self.grounded(body)
+        on_its_storey = self.places[support].storey == self.places[body].storey - 1
+        return on_its_storey and self.carries(support, body)
+
+    def carries(self, below: int, body: int) -> Truth:
+        """Whether the top of a body holds one that stands a storey above it: no slot of a margin's width is between."""
+        return self.overlap(body, below) + self.margin > zero_like(self.margin)
+
+    def grounded(self, body: int) -> Truth:
+        """Whether a body is over the ground of its storey."""
+        place = self.places[body]
+        zero = zero_like(place.left)
+        return not place.storey or any(
+            ground.left < place.width and ground.right > zero for ground in self.grounds(place, Direction.RIGHT)
+        )
+
+    def tops(self, body: int) -> Sequence[int]:
+        """The bodies one storey below whose tops would hold a body, from left to right."""
+        below = [other for other in self.rows.get(self.places[body].storey - 1, ()) if self.carries(other, body)]
+        return sorted(below, key=lambda other: self.offset(body, other) * -1)
+
+    def overlap(self, body: int, below: int) -> N:
+        """How much of a body is over another; less than 0 beside it."""
+        offset, width = self.offset(body, below), self.places[below].width
+        return lesser(offset + self.places[body].width, width) - greater(offset, zero_like(offset))
+
+    def advance(self, body: int, distance: N) -> None:
+        """Move a body by a signed distance."""
+        place, round_ = self.places[body], self.terrain.circumference
+        left = place.left + distance
+        self.places[body] = replace(place, left=left if round_ is None else once_round(left, round_))
+
+    def in_terrain(self, body: int) -> bool:
+        """Whether a body is where it is solid."""
+        place = self.places[body]
+        zero = zero_like(place.left)
+        one_up = replace(place, storey=place.storey + 1)
+        return any(g.left < place.width and g.right > zero for g in self.grounds(one_up, Direction.RIGHT))
+
+    def stand(self, body: int, support: int | None) -> None:
+        """Give a body another support on its storey."""
+        self.places[body] = replace(self.places[body], support=support)
+
+    def drop(self, body: int) -> None:
+        """Let a body down by a storey, where it has its place in the order."""
+        place = self.places[body]
+        self.rows[place.storey].remove(body)
+        self.places[body] = replace(place, storey=place.storey - 1, support=None)
+        self.rows.setdefault(place.storey - 1, []).append(body)
+        self.order(place.storey - 1)
+
+
+def once_round(place: N, circumference: N) -> N:
+    """The same place on a ring, from 0 to less than once round; in few steps, however far it is."""
+    if place < zero_like(place):
+        back = once_round(place * -1, circumference)
+        return circumference - back if back > zero_like(back) else back
+    while place >= circumference:
+        rounds = circumference
+        while rounds * 2 <= place:
+            rounds = rounds * 2
+        place = place - rounds
+    return place
