@@ -192,6 +192,8 @@ def what(frame: Frame) -> str:
     moves = "; ".join(moved(move) for move in line.moves or ())
     if line.tick is not None:
         return f"{frame.step}. Key {line.tick.key}: {moves}" if moves else f"{frame.step}. Key {line.tick.key}"
+    if line.drive is not None:
+        return f"{frame.step}. {moves or 'Nobody is driven'}"
     assert line.request is not None
     asked = f"{ink.shortened(line.request.body, 24)} asked {ink.number(exact(line.request.distance, '$'))}"
     return f"{frame.step}. {moves or asked}"

@@ -91,6 +91,9 @@ def action_of(line: LineRecord) -> dict[str, Any]:
         return {"tag": "Request", "value": asked}
     if line.tick is not None:
         return {"tag": "Tick", "value": {"key": line.tick.key, "times": whole(line.tick.times)}}
+    if line.drive is not None:
+        speeds = [[name, rational(speed)] for name, speed in line.drive.speeds.items()]
+        return {"tag": "Drive", "value": {"speeds": {"#map": speeds}, "time": rational(line.drive.time)}}
     return {"tag": "Start", "value": UNIT}
 
 

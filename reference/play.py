@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Set
 from dataclasses import dataclass
 from fractions import Fraction
 from itertools import chain
@@ -14,7 +14,7 @@ import msgspec
 from reference.formats.files import FormatError, decode, one_line, pieces, read
 from reference.formats.level import LevelRecord, distances_per_tick, numbers_of, valid_level
 from reference.formats.numbers import check_sums, exact
-from reference.formats.scenario import RequestRecord, ScenarioRecord, StepRecord, TickRecord, read_scenario
+from reference.formats.scenario import Asked, DriveRecord, ScenarioRecord, StepRecord, TickRecord, read_scenario
 from reference.plan import check_plan
 from reference.simulator import Endless, Fulfilled, Game
 from reference.stepping import StepGame
@@ -27,14 +27,16 @@ from spec.transform import in_floats
 
 LIBRARY = Path(__file__).parent
 
+ONE_BY_ONE = "expected a request or a tick: under this profile bodies move one after another"
+
 AnyGame = Game[Any] | StepGame[Any]
 
 
 @dataclass(frozen=True)
 class Played(Generic[N]):
-    """One request or one tick: how each request was fulfilled, all bodies after it, and which buttons are pressed."""
+    """One request, tick or drive: how it was fulfilled, all bodies after it, and which buttons are pressed."""
 
-    asked: RequestRecord | TickRecord
+    asked: Asked
     moves: tuple[Fulfilled[N], ...]
     bodies: tuple[Body[N], ...]
     pressed: tuple[bool, ...]
@@ -116,7 +118,19 @@ def set_up(scenario: ScenarioRecord, level: LevelRecord, floats: bool) -> AnyGam
     if isinstance(profile, SteppedProfile):
         check_storeys(held)
         return StepGame(profile, numbers)
+    check_requests(scenario)
     return Game(profile, numbers)
+
+
+def check_requests(scenario: ScenarioRecord) -> None:
+    """Refuse drives where bodies move one after another.
+
+    Raises:
+        LevelError: with the place in the scenario.
+    """
+    for i, step in enumerate(scenario.steps):
+        if step.drive is not None:
+            raise LevelError(f"$.steps[{i}].drive", ONE_BY_ONE)
 
 
 def check_storeys(level: Level[Fraction]) -> None:
@@ -153,6 +167,25 @@ def distances_of(scenario: ScenarioRecord, level: Level[Any]) -> Iterator[tuple[
                 raise LevelError(f"$.steps[{i}].request.body", f"no body is named {step.request.body!r}")
             place = f"$.steps[{i}].request.distance"
             yield place, exact(step.request.distance, place)
+        if step.drive is not None:
+            yield from driven_distances(step.drive, names, f"$.steps[{i}].drive")
+
+
+def driven_distances(drive: DriveRecord, names: Set[str], where: str) -> Iterator[tuple[str, Fraction]]:
+    """How far bodies want to move in a drive, and their speeds, with their places.
+
+    Raises:
+        LevelError: if there is no such body, or the time is less than 0.
+    """
+    time = exact(drive.time, f"{where}.time")
+    if time < 0:
+        raise LevelError(f"{where}.time", f"expected a time of at least 0, got {drive.time}")
+    for name, speed in drive.speeds.items():
+        place = f"{where}.speeds"
+        if name not in names:
+            raise LevelError(place, f"no body is named {name!r}")
+        yield place, exact(speed, place)
+        yield place, exact(speed, place) * time
 
 
 def steps(game: AnyGame, asked: list[StepRecord], floats: bool, path: Path) -> Iterator[Played[Any]]:
@@ -177,9 +210,13 @@ def ticks(game: AnyGame, step: StepRecord, floats: bool) -> Iterator[Played[Any]
         tick = TickRecord(step.tick.key)
         for _ in range(step.tick.times):
             yield played(game, tick, game.tick(Direction[tick.key.upper()]))
+    if step.drive is not None and isinstance(game, StepGame):
+        kind: Any = float if floats else Fraction
+        speeds = {name: kind(exact(speed, "$")) for name, speed in step.drive.speeds.items()}
+        yield played(game, step.drive, game.drive(speeds, kind(exact(step.drive.time, "$"))))
 
 
-def played(game: AnyGame, asked: RequestRecord | TickRecord, moves: list[Fulfilled[Any]]) -> Played[Any]:
+def played(game: AnyGame, asked: Asked, moves: list[Fulfilled[Any]]) -> Played[Any]:
     """What came of a step, now that it has been played."""
     pressed = tuple(game.world.pressed(button) for button in game.level.buttons)
     return Played(asked, tuple(moves), tuple(game.world.bodies), pressed)

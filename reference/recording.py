@@ -12,13 +12,13 @@ from typing import Any
 from reference.formats.files import FormatError, decode, one_line, pieces
 from reference.formats.level import Tops, position_of, position_record, tops_of, valid_level
 from reference.formats.numbers import number_text
-from reference.formats.scenario import RequestRecord, StepRecord, check_step
+from reference.formats.scenario import DriveRecord, RequestRecord, TickRecord, check_step
 from reference.formats.trace import EventRecord, HeaderRecord, LineRecord, MoveRecord, PlaceRecord, check_line
-from reference.play import Played, Playing, format_of, play, profile_of
+from reference.play import ONE_BY_ONE, Played, Playing, format_of, play, profile_of
 from reference.simulator import Fulfilled
 from reference.world import LevelError, World, standing
 from spec.body import Body, Level
-from spec.profiles import AnyProfile
+from spec.profiles import AnyProfile, SteppedProfile
 from spec.registry import rules_of
 
 
@@ -58,7 +58,16 @@ def read_trace(path: Path) -> Recording:
     except LevelError as error:
         raise FormatError(one_line(f"{path}:1: {error}")) from None
     tops = tops_of(header.level, len(level.graph.edges))
-    return Recording(header, level, profile, read_lines(path, content, tops))
+    lines = read_lines(path, content, tops)
+    return Recording(header, level, profile, lines if isinstance(profile, SteppedProfile) else undriven(path, lines))
+
+
+def undriven(path: Path, lines: Iterator[LineRecord]) -> Iterator[LineRecord]:
+    """The same lines; none may be a drive."""
+    for number, line in enumerate(lines, start=2):
+        if line.drive is not None:
+            raise FormatError(f"{path}:{number}: $.drive: {ONE_BY_ONE}")
+        yield line
 
 
 def read_lines(path: Path, content: Iterator[bytes], tops: Tops) -> Iterator[LineRecord]:
@@ -68,7 +77,7 @@ def read_lines(path: Path, content: Iterator[bytes], tops: Tops) -> Iterator[Lin
         if not text.strip() and not any(rest.strip() for rest in content):
             return
         line = decode(text, LineRecord, where)
-        check_step(StepRecord(line.request, line.tick), f"{where}: $")
+        check_step(line.asked, f"{where}: $")
         if line.step is not None and line.step != number:
             raise FormatError(f"{where}: $.step: expected {number}, got {line.step}")
         try:
@@ -108,7 +117,8 @@ def line_of(step: Played[Any], number: int, level: Level[Any], events: dict[str,
     return LineRecord(
         step=number,
         request=step.asked if isinstance(step.asked, RequestRecord) else None,
-        tick=None if isinstance(step.asked, RequestRecord) else step.asked,
+        tick=step.asked if isinstance(step.asked, TickRecord) else None,
+        drive=step.asked if isinstance(step.asked, DriveRecord) else None,
         moves=[move_record(move) for move in step.moves],
         events=list(event_records(step, events)),
         bodies=[place_record(body, level) for body in step.bodies],

@@ -131,6 +131,14 @@ class StepGame(Generic[N]):
         }
         return self.step(walking, self.level.tick)
 
+    def drive(self, speeds: Mapping[str, N], duration: N) -> list[Fulfilled[N]]:
+        """Drive bodies for a time: characters in the plane, boxes relative to what they stand on."""
+        driven = {}
+        for name, speed in speeds.items():
+            handle = self.names.index(name)
+            driven[handle] = Drive(speed, relative=not self.level.bodies[handle].speed)
+        return self.step(driven, duration)
+
     def step(self, driven: Mapping[int, Drive[N]], duration: N) -> list[Fulfilled[N]]:
         """Drive some bodies for a time; what came of it is told with the first of them."""
         still = {body: Drive(zero_like(duration)) for body in range(len(self.names))}

@@ -31,11 +31,33 @@ class TickRecord(Record, frozen=True):
     times: Annotated[Times, says("for how many ticks; 1 in a trace, where each tick is a step of its own")] = 1
 
 
+class DriveRecord(Record, frozen=True):
+    """Bodies are driven for a time, all at once; only under `repaired`."""
+
+    speeds: Annotated[
+        dict[Name, Number],
+        says(
+            "who is driven how fast, in units of length per second, negative to the left: characters in the plane, "
+            "boxes relative to what they stand on"
+        ),
+    ]
+    time: Annotated[Number, says("for how long, in seconds, at least 0")]
+
+
+Asked = RequestRecord | TickRecord | DriveRecord
+
+
 class StepRecord(Record, frozen=True):
-    """One step of a scenario. Either `request` or `tick` is given."""
+    """One step of a scenario. One of `request`, `tick` and `drive` is given."""
 
     request: Annotated[RequestRecord | None, says("a body is to move by a distance")] = None
     tick: Annotated[TickRecord | None, says("a key is held")] = None
+    drive: Annotated[DriveRecord | None, says("bodies are driven for a time; only under `repaired`")] = None
+
+    @property
+    def asked(self) -> list[Asked]:
+        """What is given: one thing, in a step as it must be."""
+        return [one for one in (self.request, self.tick, self.drive) if one is not None]
 
 
 class ScenarioRecord(Record, frozen=True):
@@ -44,7 +66,7 @@ class ScenarioRecord(Record, frozen=True):
     format: Annotated[Literal["graphbody/scenario@1"], says("what the file is, and the version of its format")]
     name: Annotated[Name, says("the name of the scenario")]
     level: Annotated[FileName | LevelRecord, says("the level, or the name of a level file, from this file's folder on")]
-    steps: Annotated[Many[StepRecord], says("what is asked, one after another; at most 100000 requests and ticks")]
+    steps: Annotated[Many[StepRecord], says("what is asked, in turn; at most 100000 requests, ticks and drives")]
     profile: Annotated[ProfileName, says("the profile whose rules hold")] = "thesis"
     solved: Annotated[bool | None, says("whether the steps reach the level's goal; if left out, nothing is said")] = (
         None
@@ -53,13 +75,13 @@ class ScenarioRecord(Record, frozen=True):
 
 
 def check_step(asked: StepRecord, where: str) -> None:
-    """Refuse a step that is not either a request or ticks; `where` names the file and the place.
+    """Refuse a step that is not one of a request, ticks and a drive; `where` names the file and the place.
 
     Raises:
-        FormatError: if it is both or neither.
+        FormatError: if it is several or none.
     """
-    if (asked.request is None) == (asked.tick is None):
-        raise FormatError(f"{where}: expected either `request` or `tick`")
+    if len(asked.asked) != 1:
+        raise FormatError(f"{where}: expected either `request` or `tick` or `drive`")
 
 
 def read_scenario(path: Path) -> tuple[ScenarioRecord, LevelRecord]:
@@ -74,7 +96,7 @@ def read_scenario(path: Path) -> tuple[ScenarioRecord, LevelRecord]:
         check_step(step, f"{path}: $.steps[{i}]")
         asked += 1 if step.tick is None else step.tick.times
         if asked > MOST_ITEMS:
-            raise FormatError(f"{path}: $.steps[{i}]: expected at most {MOST_ITEMS} requests and ticks in all")
+            raise FormatError(f"{path}: $.steps[{i}]: expected at most {MOST_ITEMS} requests, ticks and drives in all")
     if isinstance(scenario.level, LevelRecord):
         return scenario, scenario.level
     return scenario, read(path.parent / scenario.level, LevelRecord)

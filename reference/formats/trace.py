@@ -11,7 +11,7 @@ from msgspec import Meta
 from reference.formats.files import Many, Name, Record, says
 from reference.formats.level import LevelRecord, Position, Tops, position_of
 from reference.formats.numbers import Number, check_sums, exact
-from reference.formats.scenario import ProfileName, RequestRecord, TickRecord
+from reference.formats.scenario import DriveRecord, ProfileName, RequestRecord, StepRecord, TickRecord
 from reference.world import LevelError
 
 Count = Annotated[int, Meta(ge=1)]
@@ -75,7 +75,7 @@ class PlaceRecord(Record, frozen=True):
 
 
 class LineRecord(Record, frozen=True, kw_only=True):
-    """Any other line of a trace: a step and the state after it. Either `request` or `tick` is given.
+    """Any other line of a trace: a step and the state after it. One of `request`, `tick` and `drive` is given.
 
     What is left out is not judged.
     """
@@ -83,6 +83,7 @@ class LineRecord(Record, frozen=True, kw_only=True):
     step: Annotated[Count | None, says("the number of the step, counted from 1")] = None
     request: Annotated[RequestRecord | None, says("a body was to move by a distance")] = None
     tick: Annotated[TickRecord | None, says("a key was held")] = None
+    drive: Annotated[DriveRecord | None, says("bodies were driven for a time; only under `repaired`")] = None
     moves: Annotated[Many[MoveRecord] | None, says("the requests as they were fulfilled, in order")] = None
     events: Annotated[list[EventRecord] | None, says("what happened, in order")] = None
     bodies: Annotated[Many[PlaceRecord], says("where all bodies of the level are after the step")]
@@ -91,6 +92,11 @@ class LineRecord(Record, frozen=True, kw_only=True):
     ] = None
     pressed: Annotated[Many[bool] | None, says("after the step, for each button, whether it is pressed")] = None
     solved: Annotated[bool | None, says("after the step, whether all buttons are pressed")] = None
+
+    @property
+    def asked(self) -> StepRecord:
+        """What was asked, as a step of a scenario."""
+        return StepRecord(self.request, self.tick, self.drive)
 
 
 def check_line(line: LineRecord, tops: Tops) -> None:
@@ -114,6 +120,8 @@ def check_line(line: LineRecord, tops: Tops) -> None:
     if line.request is not None:
         check_name(line.request.body, tops, "$.request.body")
         exact(line.request.distance, "$.request.distance")
+    for name in line.drive.speeds if line.drive is not None else ():
+        check_name(name, tops, "$.drive.speeds")
     check_said(line, tops)
 
 
