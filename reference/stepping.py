@@ -147,12 +147,12 @@ class StepGame(Generic[N]):
         fired = tuple((self.names[body], rule) for body, rule in record.fired)
         happened = tuple(told(self.names, duration, moments))
         movers = {body for moment in moments for body, speed in moment.velocities.items() if speed * moment.moved}
-        depth, work = len(movers), {"events": sum(len(moment.events) for moment in moments), "choices": record.chosen}
+        work = {"events": sum(len(moment.events) for moment in moments), "choices": record.chosen}
         results = []
         for body, drive in driven.items():
             moved = sum_of([moment.velocities[body] * moment.moved for moment in moments], duration)
             asked = drive.speed * duration
-            results.append(Fulfilled(self.names[body], asked, moved, fired, depth, work, happened))
+            results.append(Fulfilled(self.names[body], asked, moved, fired, max(1, len(movers)), work, happened))
             fired, happened, work = (), (), {}
         return results
 

@@ -1,27 +1,26 @@
-"""Event: when the motion of a step changes next."""
+"""Event: when the motion of a step changes next.
+
+What has come is recorded. Bodies in contact, or at a wall, do not come nearer any more, so that no event is found again
+by comparing distances: in floats a rest too small to change a place would stop time.
+"""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from typing import Generic
 
-from spec.number import N, Truth, greater, zero_like
+from spec.number import N, greater, zero_like
 from spec.rule import AnyFamily, Family, Rule
 from spec.storeys import Mark
 
 
 @dataclass(frozen=True)
 class Nearing(Generic[N]):
-    """Something that comes nearer: what there is left to go, the speed at which that lessens, and whether it has come.
-
-    What has come is recorded for the rest of the step. It is never found again by comparing distances, because in
-    floats a rest too small to change a place would stop time.
-    """
+    """Something that comes nearer: what there is left to go, and the speed, greater than 0, at which that lessens."""
 
     mark: Mark
     room: N
     speed: N
-    recorded: bool
 
     @property
     def body(self) -> int:
@@ -29,23 +28,9 @@ class Nearing(Generic[N]):
         return self.mark.body
 
 
-def not_yet(nearing: Nearing[N]) -> Truth:
-    """It is not recorded."""
-    return not nearing.recorded
-
-
-def already(nearing: Nearing[N]) -> Truth:
-    """It is recorded."""
-    return nearing.recorded
-
-
 def time_left(nearing: Nearing[N]) -> N:
-    """The room, by the speed."""
+    """The room, by the speed; what has come nearer than that, in floats, comes at once."""
     return greater(nearing.room, zero_like(nearing.room)) / nearing.speed
-
-
-def never(nearing: Nearing[N]) -> None:
-    """It does not come again."""
 
 
 CONTACT: AnyFamily = Family(
@@ -55,17 +40,9 @@ CONTACT: AnyFamily = Family(
             id="event/contact",
             sentence="Two neighbours that come nearer come into contact when the gap between them is the margin.",
             source="6.2.1; R24, R34",
-            guard=(not_yet,),
+            guard=(),
             effect=time_left,
             event="contact",
-        ),
-        Rule(
-            id="event/in-contact",
-            sentence="Two bodies stay in contact until they part, or one of them changes its storey; for so long "
-            "their gap is not looked at.",
-            source="6.2.1c; R20",
-            guard=(already,),
-            effect=never,
         ),
     ),
 )
@@ -77,17 +54,9 @@ WALL: AnyFamily = Family(
             id="event/wall",
             sentence="A body that moves towards a wall meets it when the distance to it is 0.",
             source="6.2.1b; R19, A9",
-            guard=(not_yet,),
+            guard=(),
             effect=time_left,
             event="wall",
-        ),
-        Rule(
-            id="event/at-wall",
-            sentence="A body is at a wall until it moves away from it or changes its storey; for so long "
-            "the distance is not looked at.",
-            source="6.2.1b; R19",
-            guard=(already,),
-            effect=never,
         ),
     ),
 )
@@ -97,7 +66,7 @@ LOSS: AnyFamily = Family(
     (
         Rule(
             id="event/support-lost",
-            sentence="A body that moves relative to its support loses it at the instant in which it no longer holds.",
+            sentence="A body that moves relative to its support loses it at the instant at which it no longer holds.",
             source="6.2.1d, 6.2.1e, 7.2; R21, R22, A14, A59, U7",
             guard=(),
             effect=time_left,

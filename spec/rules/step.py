@@ -107,33 +107,31 @@ def member_of(
     return Member(body, rules.wish.choose(urge).effect(urge), world.pushes(body), walls)
 
 
-def to_come(rules: StepRules, world: Storeys[N], speeds: Mapping[int, N], marks: set[Mark]) -> Iterator[Event[N]]:
+def to_come(rules: StepRules, world: Storeys[N], speeds: Mapping[int, N]) -> Iterator[Event[N]]:
     """The events that come if all go on as they move."""
     for nearing, family in (
-        *((one, rules.contact) for one in contacts(world, speeds, marks)),
-        *((one, rules.wall) for one in walls(world, speeds, marks)),
+        *((one, rules.contact) for one in contacts(world, speeds)),
+        *((one, rules.wall) for one in walls(world, speeds)),
         *((one, rules.loss) for one in losses(world, speeds)),
     ):
         rule = family.choose(nearing)
-        after = rule.effect(nearing)
-        if after is not None:
-            yield Event(rule.id, nearing.mark, after)
+        yield Event(rule.id, nearing.mark, rule.effect(nearing))
 
 
-def contacts(world: Storeys[N], speeds: Mapping[int, N], marks: set[Mark]) -> Iterator[Nearing[N]]:
+def contacts(world: Storeys[N], speeds: Mapping[int, N]) -> Iterator[Nearing[N]]:
     """Each pair of neighbours that comes nearer."""
     for left, right in world.neighbours():
-        closing, mark = speeds[left] - speeds[right], Contact(left, right)
+        closing = speeds[left] - speeds[right]
         if closing > zero_like(closing):
-            yield Nearing(mark, world.gap(left, right) - world.margin, closing, mark in marks)
+            yield Nearing(Contact(left, right), world.gap(left, right) - world.margin, closing)
 
 
-def walls(world: Storeys[N], speeds: Mapping[int, N], marks: set[Mark]) -> Iterator[Nearing[N]]:
+def walls(world: Storeys[N], speeds: Mapping[int, N]) -> Iterator[Nearing[N]]:
     """Each body that moves towards a wall."""
     for body, speed, direction in moving(speeds):
-        room, mark = world.to_wall(body, direction), AtWall(body, world.storey(body), direction)
+        room = world.to_wall(body, direction)
         if room is not None:
-            yield Nearing(mark, room, speed, mark in marks)
+            yield Nearing(AtWall(body, world.storey(body), direction), room, speed)
 
 
 def losses(world: Storeys[N], speeds: Mapping[int, N]) -> Iterator[Nearing[N]]:
@@ -141,7 +139,7 @@ def losses(world: Storeys[N], speeds: Mapping[int, N]) -> Iterator[Nearing[N]]:
     for body, speed, direction in moving({body: motion_of(world, speeds, body) for body in speeds}):
         room = world.to_loss(body, direction)
         if room is not None:
-            yield Nearing(seat_of(world, body), room, speed, recorded=False)
+            yield Nearing(seat_of(world, body), room, speed)
 
 
 def moving(speeds: Mapping[int, N]) -> Iterator[tuple[int, N, Direction]]:
@@ -212,7 +210,7 @@ def step(
     marks, left = touching(world), duration
     while True:
         speeds = velocities_of(rules, world, drives, marks)
-        coming = list(to_come(rules, world, speeds, marks))
+        coming = list(to_come(rules, world, speeds))
         wait = left
         for event in coming:
             wait = lesser(wait, event.after)
