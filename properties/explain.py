@@ -21,8 +21,9 @@ from reference.formats.files import FormatError, read
 from reference.play import LIBRARY, library, play
 from reference.simulator import Fulfilled
 from spec.models import Model
+from spec.profiles import Profile, SteppedProfile
 from spec.readings import Reading
-from spec.registry import Statement, statements
+from spec.registry import Statement, statements, text_of
 from spec.rule import Rule
 
 
@@ -126,11 +127,15 @@ def facts(statement: Statement) -> Iterator[Fact]:
         yield from of_rule(statement)
     elif isinstance(statement, Claim):
         yield from of_claim(statement)
+    elif isinstance(statement, Profile | SteppedProfile):
+        yield from (Fact(one.kind, f"{one.id}: {one.sentence}") for one in text_of(statement))
     elif isinstance(statement, Model):
         yield Fact("seen in scenario", statement.scenario)
         yield replay(LIBRARY / "scenarios" / f"{statement.scenario}.json")
     elif isinstance(statement, Reading):
         yield Fact("others could read", statement.others)
+        if statement.scenario:
+            yield replay(LIBRARY / "scenarios" / f"{statement.scenario}.json")
     yield from claims_about(statement)
 
 

@@ -36,6 +36,7 @@ class Page:
 
 
 PAGES = (
+    Page("profiles.md", "Profiles", "Which rules hold together, and what they are about.", ("profile",)),
     Page("rules.md", "Rules", "What a body does, decision by decision.", ("rule",)),
     Page("invariants.md", "Invariants", "What every request is to keep, whatever the rules.", ("invariant",)),
     Page("claims.md", "Claims", "What is claimed of the rules, and what a run of the check showed.", ("claim",)),

@@ -17,7 +17,7 @@ class Model:
     kind = "model"
 
 
-MODELS: tuple[Model, ...] = (
+OF_GRAPHS: tuple[Model, ...] = (
     Model(
         "model/one-key",
         "In a tick with a key held, each character is asked to move in the key's direction by its speed times the "
@@ -75,3 +75,116 @@ MODELS: tuple[Model, ...] = (
         "stairs",
     ),
 )
+
+OF_STOREYS: tuple[Model, ...] = (
+    Model(
+        "model/storeys",
+        "All bodies have one height, that of a storey. All ground is level, at whole multiples of it above the "
+        "lowest, which is the closed floor, the ground of storey 0. Terrain is solid in whole storeys: ground at "
+        "multiple m has it on the storeys below m, on all of them, or on as many as its thickness says.",
+        "6.2.2; G1, G2, G3, U8",
+        "repaired-scraped-off",
+    ),
+    Model(
+        "model/place",
+        "A body is on one storey, from a left border to a right one, at a distance, its width, that never changes and "
+        "is greater than the margin. It has one support: the ground of its storey, or the top of a body one storey "
+        "below.",
+        "4.3.1, 4.4; R8, A29",
+        "repaired-ride",
+    ),
+    Model(
+        "model/solid",
+        "What is solid on a storey is a wall to the bodies on it, and ground to those on the storey above; above the "
+        "floor there is no other ground. On a line both ends of the level are walls on every storey; on a cylinder "
+        "there are no ends, and places are counted modulo the circumference.",
+        "6.2.1b, 6.1.3; R19, A42, A58",
+        "repaired-exact-pit",
+    ),
+    Model(
+        "model/holds",
+        "The ground holds a body while the two overlap by more than 0. A body holds one that is a storey above it "
+        "while the two overlap, or the gap between their borders is less than the margin.",
+        "6.2.1d, 7.2; R21, A14, U5, U7",
+        "repaired-slot",
+    ),
+    Model(
+        "model/neighbours",
+        "Neighbours are two bodies next to each other on one storey with no wall between them. On a cylinder the last "
+        "and the first are next to each other, so that each of two bodies is the other's neighbour on both sides; a "
+        "body alone is not its own.",
+        "6.2.1, 4.2; R34, A12, E11",
+        "repaired-thin-wall",
+    ),
+    Model(
+        "model/drive",
+        "For the length of a step each body has a drive, a velocity. Of a character that is driven it is meant in the "
+        "plane, of a box that is driven relative to its support; of any other it is 0 relative to its support. A tick "
+        "with a key held drives every character at its speed in the key's direction; a request to move by d drives "
+        "its body at unit speed in the direction of d, for a time of |d|.",
+        "1.1, 6.2.1; R1, R4, R17, A52, A53",
+        "repaired-walks-on-mover",
+    ),
+    Model(
+        "model/step",
+        "A step settles all bodies whose support does not hold. It records as in contact each two neighbours whose "
+        "gap is not greater than the margin, and as at a wall each body whose distance to one is 0. Then, until its "
+        "time is up: velocities are found; all bodies move with them up to the earliest event that comes, or to the "
+        "end of the step; all events of that instant are recorded; all bodies whose support was lost settle. So the "
+        "last instant has its events and its settling too.",
+        "6.2.1, 5.2; R5, R10, R23, A1",
+        "repaired-fills-pit",
+    ),
+    Model(
+        "model/velocities",
+        "Velocities are found storey by storey upwards, so that what carries has its velocity before what it carries. "
+        "On a storey they are found row by row: a row is a longest chain of neighbours that are recorded as in "
+        "contact, maybe of one body.",
+        "4.4, 6.1.2; R12, A27",
+        "repaired-ride",
+    ),
+    Model(
+        "model/row",
+        "In a row, first each body has its wish (wish). The part of it to the right, at least 0, is passed on from "
+        "left to right: each body's speed to the right is its own or a greater one that the body on its left passes "
+        "to it (row/own, row/pushed), and it passes its speed on, or 0 (row/passes-on, row/passes-nothing). Likewise "
+        "to the left, from right to left. A body with speeds greater than 0 both ways is squeezed (row/squeezed), so "
+        "is all of a row that closes on itself (row/ring): from here on their wish is 0, and they pass nothing on. "
+        "With that, wishes are passed on once more, and now a body has a speed one way at most. At last, for each "
+        "direction, from the front-most body backwards, each speed is cut to what the wall, or the body in contact "
+        "ahead, lets it (way); the speed ahead that counts is the one in that direction, at least 0. The velocity is "
+        "the speed to the right less the speed to the left.",
+        "4.2, 6.2.1c; R6, R20, A2, A3, A53",
+        "repaired-squeezed-passes-nothing",
+    ),
+    Model(
+        "model/records",
+        "A contact that is recorded lasts until two neighbours part: until time passes in which the right one moves "
+        "faster to the right than the left one, or one of them changes its storey. A body at a wall is there until "
+        "time passes in which it moves away, or it changes its storey. While they last, no event between the two "
+        "comes. Records are made anew in each step.",
+        "6.2.1c; R20, R24",
+        "repaired-walks-on-mover",
+    ),
+    Model(
+        "model/settling",
+        "Settling looks at the bodies once, lowest storey first, so that a rider looks after what carries it. A body "
+        "that has lost its support, or whose support is no longer one storey below it, looks for another (settle), "
+        "and where it falls, again from the storey below. A support that it has lost at this instant does not count. "
+        "Its motion is its velocity less that of the support it lost, both as they were up to now; at the beginning "
+        "of a step it is 0. Settling takes no time.",
+        "6.2.1d, 6.2.1e; R21, R22, R23, A4, A28, A48, P8",
+        "repaired-support-falls",
+    ),
+    Model(
+        "model/positions",
+        "In files, the borders of a body on a top are that far from its left corner; of a body on the ground they are "
+        "edge positions on the first string of ground edges under it, from left to right. Beyond the ends both "
+        "overhang. At a vertex between two edges a left border is at the beginning of the right edge, a right border "
+        "at the end of the left one. A rider's support is named by the top that it is on.",
+        "4.3.1, 6.1.1; R7, R11, A56, A57",
+        "repaired-front-most",
+    ),
+)
+
+MODELS: tuple[Model, ...] = (*OF_GRAPHS, *OF_STOREYS)

@@ -20,16 +20,28 @@ from spec.rules.wish import WISH
 
 @dataclass(frozen=True)
 class Profile:
-    """The rules of movement under one set of readings."""
+    """The rules of movement under one set of readings. A request moves one body, and what it pushes."""
 
     name: str
+    sentence: str
+    source: str
     rules: Rules
     push_limit: Callable[[int], int]
     tick_order: Callable[[Sequence[str]], Sequence[str]]
 
+    kind = "profile"
+
+    @property
+    def id(self) -> str:
+        """Its name as an ID."""
+        return f"profile/{self.name}"
+
 
 THESIS = Profile(
     name="thesis",
+    sentence="The rules as printed: one request after another, each of one body and what it pushes, on strings of "
+    "edges.",
+    source="4.2, 6.2.1; R5",
     rules=Rules(
         clearance=CLEARANCE,
         push=PUSH,
@@ -45,7 +57,13 @@ THESIS = Profile(
     tick_order=TICK_ORDER.choice,
 )
 
-OVERSHOOT = replace(THESIS, name="thesis/overshoot", rules=replace(THESIS.rules, landing=LANDING_OVERSHOOT.choice))
+OVERSHOOT = replace(
+    THESIS,
+    name="thesis/overshoot",
+    sentence="The rules as printed, but for the landing: a body that falls or jumps keeps its horizontal position.",
+    source="6.2.1d, 6.2.1e; A15, A19",
+    rules=replace(THESIS.rules, landing=LANDING_OVERSHOOT.choice),
+)
 
 
 @dataclass(frozen=True)
@@ -53,11 +71,23 @@ class SteppedProfile:
     """Rules of movement in which all bodies move at once, from event to event."""
 
     name: str
+    sentence: str
+    source: str
     rules: StepRules
+
+    kind = "profile"
+
+    @property
+    def id(self) -> str:
+        """Its name as an ID."""
+        return f"profile/{self.name}"
 
 
 REPAIRED = SteppedProfile(
     name="repaired",
+    sentence="The rules to implement: bodies on storeys are driven all at once for a time, push in rows, ride, fall "
+    "and land, and move with constant velocities from event to event.",
+    source="1.1, 6.2.1, 8; R1, R3",
     rules=StepRules(
         wish=WISH,
         forward=FORWARD,

@@ -13,13 +13,17 @@ Choice = TypeVar("Choice", covariant=True)
 
 @dataclass(frozen=True)
 class Reading(Generic[Choice]):
-    """A question the thesis leaves open; `sentence` is the answer taken, `choice` what computes it, if anything."""
+    """A question the thesis leaves open; `sentence` is the answer taken, `choice` what computes it, if anything.
+
+    `scenario` is one of the library in which the answer can be seen, if any.
+    """
 
     id: str
     sentence: str
     source: str
     others: str
     choice: Choice
+    scenario: str = ""
 
     kind = "reading"
 
@@ -70,9 +74,9 @@ LANDING_OVERSHOOT: Reading[Landing] = Reading(
 )
 
 
-def reading(name: str, sentence: str, source: str, others: str) -> Reading[None]:
+def reading(name: str, sentence: str, source: str, others: str, scenario: str = "") -> Reading[None]:
     """A reading that is written down in the rules themselves."""
-    return Reading(f"reading/{name}", sentence, source, others, None)
+    return Reading(f"reading/{name}", sentence, source, others, None, scenario)
 
 
 OF_STRINGS: tuple[Reading[None], ...] = (
@@ -281,6 +285,101 @@ OF_LEDGES: tuple[Reading[None], ...] = (
     ),
 )
 
+OF_STOREYS: tuple[Reading[None], ...] = (
+    reading(
+        "repaired/in-the-plane",
+        "A character that walks keeps its own velocity in the plane, whatever it stands on; what is not driven is "
+        "carried.",
+        "4.4, 1.1; A27, A52, A53",
+        "a walker's velocity is relative to its support, so that it is twice as fast on another",
+        "repaired-one-key",
+    ),
+    reading(
+        "repaired/opposite-wishes",
+        "Opposite wishes stall each other, whatever the speeds; so does a box that is carried slowly against a fast "
+        "walker.",
+        "6.2.1c; A2, P6",
+        "the faster wins; the difference of the speeds is left",
+        "repaired-squeezed",
+    ),
+    reading(
+        "repaired/squeezed-passes-nothing",
+        "What stands beyond a squeezed body is not pushed by it.",
+        "6.2.1c; A2",
+        "speeds go on through it",
+        "repaired-squeezed-passes-nothing",
+    ),
+    reading(
+        "repaired/may-not-push",
+        "To a body that may not push, any other is a wall, one that moves if it moves. It may be pushed itself, but "
+        "passes no push on.",
+        "1.1; A39",
+        "it can neither push nor be pushed",
+        "repaired-may-not-push",
+    ),
+    reading(
+        "repaired/exact-pit",
+        "A pit of exactly the body's width swallows a walker at the instant at which it fits, also in the middle of a "
+        "step.",
+        "6.2.1; A59",
+        "only at the end of a request, which makes the outcome depend on the size of the step",
+        "repaired-exact-pit",
+    ),
+    reading(
+        "repaired/narrow-slot",
+        "A body still holds one that has left its top while the gap between them is less than the margin, so that "
+        "nothing falls into a slot narrower than the margin allows; it is carried for so long.",
+        "6.2.1d; A14, R24",
+        "only while they overlap",
+        "repaired-slot",
+    ),
+    reading(
+        "repaired/which-top",
+        "Over several tops a body stands on the one that is front-most in its motion relative to the support it lost; "
+        "without such motion on the one that it is over most, then on the first in the level's order.",
+        "6.2.1; A23",
+        "the nearest; two supports",
+        "repaired-front-most",
+    ),
+    reading(
+        "repaired/support-falls",
+        "A rider whose support falls looks for a support of its own: it follows only if nothing else holds it.",
+        "4.4; A28",
+        "it goes with its support",
+        "repaired-support-falls",
+    ),
+    reading(
+        "repaired/lost-for-an-instant",
+        "A support that was lost does not count again at the same instant; later it may, if it holds.",
+        "6.2.1d; R21",
+        "not until the motion turns",
+        "repaired-slot",
+    ),
+    reading(
+        "repaired/thin-wall",
+        "Two bodies with a wall between them are no neighbours, however thin it is: they need not keep the margin.",
+        "6.2.1; A9, A12",
+        "the margin is kept through walls",
+        "repaired-thin-wall",
+    ),
+    reading(
+        "repaired/closed-ring",
+        "A row of two bodies or more that closes on itself round a ring stands still; with any room left, it first "
+        "goes on until the room is used up.",
+        "4.2; R31, A7",
+        "the whole ring rotates",
+        "repaired-closed-ring",
+    ),
+    reading(
+        "repaired/ends-of-levels",
+        "The ends of a level on a line are walls, as high as one likes; ground that ends in the open within a level, "
+        "without a fall edge, is refused.",
+        "6.2.1b; R19, A42",
+        "one falls off the end; an invisible wall",
+        "repaired-scraped-off",
+    ),
+)
+
 READINGS: tuple[Reading[object], ...] = (
     PUSH_LIMIT,
     TICK_ORDER,
@@ -288,4 +387,5 @@ READINGS: tuple[Reading[object], ...] = (
     LANDING_OVERSHOOT,
     *OF_STRINGS,
     *OF_LEDGES,
+    *OF_STOREYS,
 )

@@ -7,10 +7,10 @@ from typing import Protocol
 from spec.conditions import CONDITIONS
 from spec.guidelines import GUIDELINES
 from spec.invariants import OF_ONE_REQUEST, RELATIONS
-from spec.models import MODELS
+from spec.models import MODELS, OF_GRAPHS, OF_STOREYS as MODELS_OF_STOREYS
 from spec.plane import IN_PLANE
 from spec.profiles import PROFILES, AnyProfile
-from spec.readings import READINGS
+from spec.readings import OF_STOREYS, READINGS
 from spec.rule import AnyRule, Family
 from spec.rules.request import FAMILIES, Rules
 from spec.rules.step import STEP_FAMILIES
@@ -44,6 +44,14 @@ def rules_of(profile: AnyProfile) -> list[AnyRule]:
     return [rule for family in families if isinstance(family, Family) for rule in family.rules]
 
 
+def text_of(profile: AnyProfile) -> list[Statement]:
+    """All that one must know to implement a profile, in the order in which to read it: models, rules, readings."""
+    if isinstance(profile.rules, Rules):
+        readings = [one for one in READINGS if one not in OF_STOREYS]
+        return [*OF_GRAPHS, *rules_of(profile), *readings]
+    return [*MODELS_OF_STOREYS, *rules_of(profile), *OF_STOREYS]
+
+
 def statements() -> dict[str, Statement]:
     """Every statement of the spec by its ID.
 
@@ -51,7 +59,7 @@ def statements() -> dict[str, Statement]:
         ValueError: if two statements have the same ID.
     """
     rules = {rule.id: rule for profile in PROFILES.values() for rule in rules_of(profile)}.values()
-    everything: list[Statement] = [*rules, *MODELS, *OF_ONE_REQUEST, *RELATIONS, *IN_PLANE]
+    everything: list[Statement] = [*PROFILES.values(), *rules, *MODELS, *OF_ONE_REQUEST, *RELATIONS, *IN_PLANE]
     everything += [*CONDITIONS, *GUIDELINES, *READINGS, *CASES, *RECORDED]
     table: dict[str, Statement] = {}
     for statement in everything:
