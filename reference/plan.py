@@ -185,6 +185,7 @@ def check_plan(level: Level[Fraction]) -> None:
     for index, edge in enumerate(level.graph.edges):
         check_edge(level, index, edge)
     check_floor(level)
+    check_walls(level)
     check_ends(level)
     check_bodies(level)
 
@@ -229,6 +230,16 @@ def check_floor(level: Level[Fraction]) -> None:
     if not closed:
         where = f"between {floor[0].right} and {floor[1].left}" if len(floor) > 1 else "at an end"
         raise LevelError("$.vertices", f"expected a closed floor, there is none {where}")
+
+
+def check_walls(level: Level[Fraction]) -> None:
+    """Refuse walls thinner than the margin: bodies on both sides would be nearer to each other than that."""
+    for storey in plan_of(level).terrain.solid:
+        for wall in storey:
+            if wall.right - wall.left < level.margin:
+                vertex = next(i for i, corner in enumerate(level.graph.vertices) if corner.x == wall.left)
+                expected = f"expected a wall at least as thick as the margin, got {wall.right - wall.left}"
+                raise LevelError(f"$.vertices[{vertex}]", expected)
 
 
 def check_ends(level: Level[Fraction]) -> None:

@@ -97,7 +97,7 @@ OF_STOREYS: tuple[Model, ...] = (
         "model/solid",
         "What is solid on a storey is a wall to the bodies on it, and ground to those on the storey above; above the "
         "floor there is no other ground. On a line both ends of the level are walls on every storey; on a cylinder "
-        "there are no ends, and places are counted modulo the circumference.",
+        "there are no ends, and places are counted modulo the circumference. No wall is thinner than the margin.",
         "6.2.1b, 6.1.3; R19, A42, A58",
         "repaired-exact-pit",
     ),

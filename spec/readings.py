@@ -357,9 +357,10 @@ OF_STOREYS: tuple[Reading[None], ...] = (
     ),
     reading(
         "repaired/thin-wall",
-        "Two bodies with a wall between them are no neighbours, however thin it is: they need not keep the margin.",
+        "Two bodies with a wall between them are no neighbours, so that none pushes the other through it. A level with "
+        "a wall thinner than the margin is refused.",
         "6.2.1; A9, A12",
-        "the margin is kept through walls",
+        "bodies collide through walls",
         "repaired-thin-wall",
     ),
     reading(

@@ -36,6 +36,8 @@ class Frame:
             return {}
         if self.line.request is not None:
             return {self.line.request.body: Fraction(self.line.request.distance)}
+        if self.line.drive is not None:
+            return {name: exact(speed, "$") for name, speed in self.line.drive.speeds.items()}
         assert self.line.tick is not None
         way = Fraction(1 if self.line.tick.key == "right" else -1)
         return {body.name: way for body in self.world.bodies if body.speed}
