@@ -11,6 +11,7 @@ from xml.etree.ElementTree import Element
 from reference.drawing import scene
 from reference.drawing.ink import text_width, write
 from reference.drawing.scene import Outline, Point, Window
+from reference.formats.numbers import exact
 from reference.formats.trace import LineRecord
 from reference.world import World
 
