@@ -159,11 +159,14 @@ class StoreyWorld(Generic[N]):
         return None if round_ is not None and reach - start >= round_ else reach - start
 
     def grounds(self, place: Place[N], direction: Direction) -> Iterator[Interval[N]]:
-        """The grounds of a storey seen from a body's left border in a direction; on a ring also once round."""
+        """The grounds of a storey seen from a body's left border in a direction; on a ring as far as twice round.
+
+        A body that goes nearly once round has its front border nearly twice round.
+        """
         round_ = self.terrain.circumference
         for solid in self.terrain.on(place.storey - 1):
             left, right = solid.left - place.left, solid.right - place.left
-            for by in [zero_like(left)] if round_ is None else [round_ * -1, zero_like(left), round_]:
+            for by in [zero_like(left)] if round_ is None else [round_ * rounds for rounds in (-2, -1, 0, 1, 2)]:
                 near, far = left + by, right + by
                 yield Interval(near, far) if direction is Direction.RIGHT else Interval(far * -1, near * -1)
 
