@@ -8,7 +8,7 @@ from typing import Any
 from properties.claims.claim import Claim, Hunt, Verdict
 from properties.claims.string import of_rules
 from properties.contracts import leaving, request
-from properties.contracts.contract import LEAVING as LEAVING_CONTRACT, REQUEST, SEGMENT, Contract
+from properties.contracts.contract import LEAVING as LEAVING_CONTRACT, SEGMENT, Contract
 from properties.given import Given
 from spec.conditions import GUIDELINES, PLANE_START
 from spec.invariants import Deed, Invariant
@@ -34,7 +34,7 @@ PROFILES = (THESIS, OVERSHOOT)
 PREMISES = (PLANE_START.id, GUIDELINES.id)
 CONTRACTS_OF: dict[Callable[[Rules, Given], None], tuple[Contract, ...]] = {
     leaving.leaving_keeps_its_contract: (LEAVING_CONTRACT,),
-    request.segment_in_wall: (REQUEST, SEGMENT),
+    request.segment_in_wall: (SEGMENT,),
 }
 
 

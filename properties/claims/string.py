@@ -6,7 +6,7 @@ from collections.abc import Callable
 from typing import Any
 
 from properties.claims.claim import Claim, Count, Erratum, Obligation, Verdict
-from properties.contracts import counts, errata, families, lemma, request, rows, strings, ticks
+from properties.contracts import counts, errata, families, leaving, lemma, request, rows, strings, ticks
 from properties.contracts.contract import (
     LEAVING,
     REAR,
@@ -50,7 +50,7 @@ PROVED, BOUNDED, TESTED, REFUTED = Verdict.PROVED, Verdict.BOUNDED, Verdict.TEST
 
 ORDERED, KEPT, LONG, FREE = IN_ORDER.id, MARGINS_KEPT.id, EDGES_LONG.id, FREE_SPACE.id
 HALF, HALVES, STRING = HALF_ROUND.id, HALVES_LONG.id, ONE_STRING.id
-ON_ROWS = (REQUEST, REQUEST_EXACT, SEGMENT, SEGMENT_EXACT)
+ON_EXACT = (REQUEST_EXACT, SEGMENT, SEGMENT_EXACT)
 
 
 def of_rules(program: Callable[[Rules, Given], None], *needs: str, contracts: tuple[Contract, ...] = ()) -> Obligation:
@@ -116,16 +116,19 @@ IS_SEGMENTS = of_rules(request.request_is_its_segments, ORDERED, contracts=(REQU
 REAR_WALKS = of_rules(request.rear_walks_on, ORDERED, contracts=(REAR, SEGMENT))
 REAR_FOLLOWS = of_rules(request.rear_follows_by_the_same, ORDERED, contracts=(REAR,))
 FUNCTION = of_rules(request.segment_is_a_function, ORDERED, contracts=(REQUEST, SEGMENT))
-IN_A_ROW = of_rules(request.segments_in_a_row, STRING, KEPT, LONG, contracts=ON_ROWS)
-KEEPS = of_rules(request.request_keeps_its_contract, STRING, KEPT, LONG, contracts=ON_ROWS)
+LEAVES = of_rules(leaving.leaving_keeps_its_contract, contracts=(LEAVING,))
+IN_A_ROW = of_rules(request.segments_in_a_row, ORDERED, contracts=(SEGMENT,))
+KEEPS = of_rules(request.request_keeps_its_contract, ORDERED, contracts=(REQUEST, SEGMENT))
+EXACT_IN_A_ROW = of_rules(request.exact_segments_in_a_row, STRING, KEPT, LONG, contracts=ON_EXACT)
+KEEPS_EXACT = of_rules(request.request_exact, STRING, KEPT, LONG, contracts=ON_EXACT)
 TWO_ARE_ONE = of_rules(lemma.two_requests_are_one, KEPT, LONG, FREE, contracts=(REQUEST, REQUEST_EXACT))
 IN_ORDER_AGAIN = of_rules(lemma.neighbours_stay_in_order, ORDERED, contracts=(REQUEST,))
 APART_AGAIN = of_rules(lemma.neighbours_stay_apart, KEPT, LONG, contracts=(REQUEST_EXACT,))
 AS_WIDE = of_rules(lemma.width_is_kept, contracts=(REQUEST,))
 CIRCLE = of_rules(lemma.full_circle_stands, KEPT, LONG, contracts=(REQUEST, REQUEST_EXACT, SEGMENT_EXACT))
 TICK = Obligation(name_of(ticks.tick_is_its_requests), ticks.tick_is_its_requests, contracts=(REQUEST.id, SEGMENT.id))
-WHOLE_REQUEST = (*ONE_RULE, SEGMENT_KEEPS, IS_SEGMENTS, REAR_WALKS, REAR_FOLLOWS)
-EXACT_REQUEST = (*WHOLE_REQUEST, EXACT, IN_A_ROW, KEEPS)
+WHOLE_REQUEST = (*ONE_RULE, SEGMENT_KEEPS, IN_A_ROW, IS_SEGMENTS, KEEPS, REAR_WALKS, REAR_FOLLOWS, LEAVES)
+EXACT_REQUEST = (*WHOLE_REQUEST, EXACT, EXACT_IN_A_ROW, KEEPS_EXACT)
 
 LINE_AND_RING = (False, True)
 ALIKE = tuple((closed, one_edge) for closed in LINE_AND_RING for one_edge in (True, False))

@@ -40,6 +40,7 @@ from properties.contracts.contract import (
 )
 from properties.given import Given, Infeasible
 from properties.worlds.window import ME, NEIGHBOUR, Capacity, Spot, Window, capacity, lonely_window, spot, window
+from spec.conditions import IN_ORDER
 from spec.invariants import every
 from spec.profiles import Profile
 from spec.rule import AnyFamily, AnyRule, Chooser, Family, GuardError, Rule
@@ -51,6 +52,7 @@ from spec.rules.walk import Motion, Tow, walk
 Grant = Callable[[Ask[Any, str]], Any]
 ONE_RULE = "rules/one-applies"
 MOST_ROUNDS = 3
+EXACT_SEGMENT = (SEGMENT, SEGMENT_EXACT)
 
 
 @dataclass(frozen=True)
@@ -246,28 +248,25 @@ def request_is_its_segments(rules: Rules, given: Given) -> None:
     promise(given, REQUEST, Call(asked=distance, moved=moved), [AT_MOST])
 
 
-def request_keeps_its_contract(rules: Rules, given: Given) -> None:
-    """By the contracts of its segments and of its rear border, a request of a body that stays keeps its own.
+def request_of(rules: Rules, given: Given, start: Ahead, *contracts: Contract) -> Call:
+    """Any request of a body that stays, with something ahead, its segments and its rear border by contracts.
 
-    One that goes on may be several in a row (`segments_in_a_row`), so one and the last stand for any number.
+    A segment that goes on may be several in a row (`segments_in_a_row`), so one and the last stand for any number.
     """
     seen = lonely_window(given, ledges=False)
     seen = replace(seen, resting=spot(given, "front at rest"), back=spot(given, "rear"))
     assert seen.resting is not None
     assert seen.back is not None
-    distance, start = given.number("distance asked"), any_ahead(given)
-    states, motions = [start], [Motion(seen.resting, rest=distance)]
-    pushed = [distance * 0]
+    distance, states, pushed = given.number("distance asked"), [start], [start.margin * 0]
 
     def segments(own: Rules, view: Window, body: str, motion: Motion[Any, Spot], left: Any) -> Any:
         yield from ()
-        number = len(motions)
+        number = len(states)
         going, went = any_round(given, number, most=2)
-        stretch = any_stretch(given, f"segment {number}", motion.rest, states[-1], going, went)
+        stretch = any_stretch(given, f"segment {number}", motion.rest, states[-1], going, went, *contracts)
         states.append(states[-1].after(stretch.moved, stretch.pushed))
         pushed.append(pushed[-1] + stretch.pushed)
-        motions.append(Motion(view.along(motion.at, stretch.moved), motion.rest - stretch.moved, stretch.going))
-        return motions[-1]
+        return Motion(view.along(motion.at, went), motion.rest - went, going)
 
     def towed(tow: Tow[Any, Spot]) -> Spot:
         return tow.view.along(tow.rear, tow.moved)
@@ -276,20 +275,28 @@ def request_keeps_its_contract(rules: Rules, given: Given) -> None:
         return Placement(leaving.front, leaving.rear, leaving.moved)
 
     stand_ins = replace(rules, segment=segments, follow=stand_in("follow", towed), leave=stand_in("leave", stays))
-    moved = drive(given, request(stand_ins, seen, ME, distance, start.spare), seen, granted_by(given, REQUEST))
+    moved = drive(given, request(stand_ins, seen, ME, distance, start.spare), seen, granted_by(given))
     ((_, front, rear),) = seen.placed
-    call = Call(
-        asked=distance,
-        moved=moved,
-        ahead=start,
-        pushed=pushed[-1],
-        borders=(front.travelled - seen.resting.travelled, rear.travelled - seen.back.travelled),
-        capacity=start.capacity(),
-        left=states[-1].capacity(),
-        spare=start.spare,
-    )
-    promise(given, REQUEST, call)
-    promise(given, REQUEST_EXACT, call)
+    borders = (front.travelled - seen.resting.travelled, rear.travelled - seen.back.travelled)
+    call = Call(asked=distance, moved=moved, ahead=start, pushed=pushed[-1], borders=borders, spare=start.spare)
+    exact = SEGMENT_EXACT in contracts
+    return replace(call, capacity=start.capacity(), left=states[-1].capacity()) if exact else call
+
+
+def request_keeps_its_contract(rules: Rules, given: Given) -> None:
+    """By the contracts of its segments and of its rear border, a request of a body that stays keeps its own."""
+    promise(given, REQUEST, request_of(rules, given, any_order(given), SEGMENT))
+
+
+def request_exact(rules: Rules, given: Given) -> None:
+    """By the exact contract of its segments, a request moves as far as it can, and pushes the excess over the room."""
+    promise(given, REQUEST_EXACT, request_of(rules, given, any_ahead(given), *EXACT_SEGMENT))
+
+
+def any_order(given: Given) -> Ahead:
+    """Anything ahead of a body: a body ahead of it, at any distance, or none."""
+    gap = given.number("gap", IN_ORDER.id) if given.flag("a body is ahead") else None
+    return Ahead(given.number("margin"), gap, None, None, given.natural("bodies that may be asked"), pushes=True)
 
 
 def any_ahead(given: Given) -> Ahead:
@@ -304,12 +311,16 @@ def any_ahead(given: Given) -> Ahead:
     return ahead
 
 
-def any_stretch(given: Given, name: str, asked: Any, ahead: Ahead, going: bool, moved: Any) -> Stretch:
-    """Any segment that keeps both contracts, with something ahead."""
+def any_stretch(
+    given: Given, name: str, asked: Any, ahead: Ahead, going: bool, moved: Any, *contracts: Contract
+) -> Stretch:
+    """Any segment that keeps some contracts, with something ahead."""
     pushed = given.number(f"pushed in {name}")
-    capacity, left = ahead.capacity(), ahead.after(moved, pushed).capacity()
-    stretch = Stretch(asked=asked, moved=moved, ahead=ahead, pushed=pushed, capacity=capacity, left=left, going=going)
-    for contract in (SEGMENT, SEGMENT_EXACT):
+    stretch = Stretch(asked=asked, moved=moved, ahead=ahead, pushed=pushed, going=going)
+    if SEGMENT_EXACT in contracts:
+        later = ahead.after(moved, pushed)
+        stretch = replace(stretch, capacity=ahead.capacity(), left=later.capacity())
+    for contract in contracts:
         stand_in_for(given, contract, stretch)
     return stretch
 
@@ -320,17 +331,25 @@ def any_round(given: Given, number: int, most: int = MOST_ROUNDS) -> tuple[bool,
     return going, given.number(f"distance of segment {number}")
 
 
+def two_stretches(given: Given, ahead: Ahead, *contracts: Contract) -> Stretch:
+    """Any segment that goes on and the one after it, as if they were one."""
+    asked = given.number("distance asked")
+    one = any_stretch(given, "the first", asked, ahead, True, given.number("distance of the first"), *contracts)
+    further, rest = ahead.after(one.moved, one.pushed), asked - one.moved
+    going, went = given.flag("it goes on again"), given.number("distance of the second")
+    two = any_stretch(given, "the second", rest, further, going, went, *contracts)
+    moved, pushed = one.moved + two.moved, one.pushed + two.pushed
+    return replace(two, asked=asked, moved=moved, ahead=ahead, pushed=pushed, capacity=one.capacity)
+
+
 def segments_in_a_row(rules: Rules, given: Given) -> None:
     """What the contract says of a segment after one that goes on, it says of both together as of one."""
-    ahead, asked = any_ahead(given), given.number("distance asked")
-    one = any_stretch(given, "the first", asked, ahead, True, given.number("distance of the first"))
-    further, rest = ahead.after(one.moved, one.pushed), asked - one.moved
-    going = given.flag("it goes on again")
-    two = any_stretch(given, "the second", rest, further, going, given.number("distance of the second"))
-    moved, pushed = one.moved + two.moved, one.pushed + two.pushed
-    both = replace(two, asked=asked, moved=moved, ahead=ahead, pushed=pushed, capacity=one.capacity)
-    promise(given, SEGMENT, both, SEGMENT.ensures)
-    promise(given, SEGMENT_EXACT, both, SEGMENT_EXACT.ensures)
+    promise(given, SEGMENT, two_stretches(given, any_order(given), SEGMENT), SEGMENT.ensures)
+
+
+def exact_segments_in_a_row(rules: Rules, given: Given) -> None:
+    """What the exact contract says of a segment after one that goes on, it says of both together as of one."""
+    promise(given, SEGMENT_EXACT, two_stretches(given, any_ahead(given), *EXACT_SEGMENT), SEGMENT_EXACT.ensures)
 
 
 def same_motion(one: Motion[Any, Spot], other: Motion[Any, Spot]) -> Any:
