@@ -25,7 +25,7 @@ class Ahead:
     Attributes:
         gap: from its front border to the body ahead, or None if there is none.
         wall: from its front border to the wall, or None if there is none.
-        neighbour: the capacity of the body ahead, when that one has a spare ask less.
+        neighbour: the capacity of the body ahead, when that one has a spare ask less; None if there is no bound.
         spare: how many further bodies may be asked; `pushes` is whether this one may push.
         edges: the lengths of the edges ahead that are known.
     """
@@ -50,6 +50,8 @@ class Ahead:
             return self.wall
         to_contact = self.room
         if self.spare > 0 and self.pushes:
+            if self.neighbour is None:
+                return self.wall
             to_contact = to_contact + self.neighbour
         return to_contact if self.wall is None else lesser(to_contact, self.wall)
 
