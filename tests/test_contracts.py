@@ -133,6 +133,14 @@ def test_the_rules_keep_all_contracts_and_each_is_evaluated(floats):
     assert min(verdicts.evaluations.values()) > 0
 
 
+@pytest.mark.parametrize("limit", [1, 2])
+def test_the_contracts_hold_at_any_push_limit_and_for_a_body_that_may_not_push(limit):
+    worlds = [world.copy() for world in ROWS]
+    worlds[0].bodies[1] = replace(worlds[0].bodies[1], pushes=False)
+    verdicts = watched(replace(THESIS, push_limit=lambda bodies: limit), worlds)
+    assert (verdicts.broken, verdicts.unmet) == ([], [])
+
+
 def test_every_request_of_a_chain_is_evaluated():
     verdicts = Verdicts()
     Monitor(THESIS, ROWS[0].copy(), RIGHT, Fraction(0), ON_ONE_STRING, verdicts).run(0, Fraction(5))
@@ -216,6 +224,8 @@ def test_a_trial_names_the_contract_that_a_wrong_rule_breaks_and_counts_what_was
     failed = list(failing(profile, trial, world, Fraction(0), seen))
     assert "contract/segment-exact: keeps the margin" in failed
     assert {"invariant/no-overlap", "invariant/margins-over-time"} <= set(failed)
+    _, profile = WRONG["leaves its rear behind"]
+    assert "invariant/order-over-time" in failing(profile, trial, world, Fraction(0), seen)
 
 
 def test_on_a_row_a_requirement_that_is_not_met_is_a_failure():

@@ -132,17 +132,15 @@ EXACT_REQUEST = (*WHOLE_REQUEST, EXACT, EXACT_IN_A_ROW, KEEPS_EXACT)
 
 LINE_AND_RING = (False, True)
 ALIKE = tuple((closed, one_edge) for closed in LINE_AND_RING for one_edge in (True, False))
-SUMS = tuple(of_strings(strings.lay_out_sums_up, closed, LONG, one_edge=one_edge) for closed, one_edge in ALIKE)
-MIRRORED = tuple(
-    of_strings(strings.mirror_image_is_alike, closed, LONG, one_edge=one_edge) for closed, one_edge in ALIKE
-)
+SUMS = tuple(of_strings(strings.lay_out_sums_up, closed, one_edge=one_edge) for closed, one_edge in ALIKE)
+MIRRORED = tuple(of_strings(strings.mirror_image_is_alike, closed, one_edge=one_edge) for closed, one_edge in ALIKE)
 SPLIT = tuple(
-    of_strings(strings.split_is_alike, closed, LONG, HALVES, one_edge=one_edge, cut=cut)
+    of_strings(strings.split_is_alike, closed, HALVES, one_edge=one_edge, cut=cut)
     for closed, one_edge in ALIKE
     for cut in range(3 if one_edge else 5)
 )
 LAWS = tuple(
-    of_strings(strings.laws_hold, closed, LONG, direction=direction, last=last)
+    of_strings(strings.laws_hold, closed, ORDERED, direction=direction, last=last)
     for closed in LINE_AND_RING
     for last in (False, True)
     for direction in Direction
@@ -241,7 +239,7 @@ CLAIMS: tuple[Claim, ...] = (
         source="4.3.1, 6.1.3; R7, R14",
         about="world",
         profile=THESIS,
-        premises=(STRING, KEPT, LONG),
+        premises=(STRING, ORDERED),
         expected=PROVED,
         obligations=(*SUMS, *LAWS),
     ),

@@ -10,11 +10,11 @@ from __future__ import annotations
 
 from typing import Any
 
-from properties.given import HAS_WIDTH, Given
+from properties.given import HAS_LENGTH, HAS_WIDTH, Given
 from properties.worlds.rows import string_graph
 from reference.world import Facing, World
 from spec.body import Body, EdgePosition, Level
-from spec.conditions import EDGES_LONG, HALVES_LONG
+from spec.conditions import HALVES_LONG, IN_ORDER
 from spec.graph import Direction, Vertex
 from spec.profiles import Profile
 from spec.transform import mirror, split
@@ -22,10 +22,10 @@ from spec.transform import mirror, split
 GAPS_FIT = "the gaps of a ring sum up to its free space"
 
 
-def long_edge(given: Given, name: str, margin: Any) -> Any:
-    """The length of an edge no shorter than the margin."""
+def any_edge(given: Given, name: str) -> Any:
+    """The length of an edge."""
     length = given.number(f"length of {name}")
-    given.assume(length >= margin, EDGES_LONG.id)
+    given.assume(length > 0, HAS_LENGTH)
     return length
 
 
@@ -57,10 +57,10 @@ def two_borders(given: Given, closed: bool, one_edge: bool) -> Level[Any]:
     """Any two borders on any string, on one edge or two; the body that has them also stands for a gap between two."""
     margin = given.number("margin")
     given.assume(margin > 0, "the margin is positive")
-    first = long_edge(given, "the first edge", margin)
+    first = any_edge(given, "the first edge")
     lengths, edge = [given.number("length of all before"), first], 1
     if not one_edge:
-        lengths += [given.number("length of all between"), long_edge(given, "the second edge", margin)]
+        lengths += [given.number("length of all between"), any_edge(given, "the second edge")]
         edge = 3
     lengths.append(given.number("length of all after"))
     left, right = place(given, "the first border", 1, first), place(given, "the second border", edge, lengths[edge])
@@ -126,15 +126,15 @@ def split_is_alike(profile: Profile, given: Given, closed: bool, one_edge: bool,
     check_alike(given, level, split(level, cut, at, Vertex(at, at)), turned=False)
 
 
-def any_edges(given: Given, closed: bool, last: bool, margin: Any) -> tuple[list[Any], int]:
+def any_edges(given: Given, closed: bool, last: bool) -> tuple[list[Any], int]:
     """The lengths of any string, an edge of it, and the one that follows it, if it is not the last, by itself.
 
     On a ring of one edge that one follows itself.
     """
-    own = long_edge(given, "the edge", margin)
+    own = any_edge(given, "the edge")
     if last:
         return ([own], 0) if closed else ([given.number("length of all before"), own], 1)
-    onward = long_edge(given, "the next edge", margin)
+    onward = any_edge(given, "the next edge")
     if closed and given.flag("the ring begins with the next edge"):
         return [onward, given.number("length of all others"), own], 2
     return [given.number("length of all before"), own, onward, given.number("length of all after")], 1
@@ -147,7 +147,7 @@ def border_and_neighbour(given: Given, closed: bool, last: bool) -> Level[Any]:
     """
     margin = given.number("margin")
     given.assume(margin > 0, "the margin is positive")
-    lengths, edge = any_edges(given, closed, last, margin)
+    lengths, edge = any_edges(given, closed, last)
     front = place(given, "the front", edge, lengths[edge])
     edges = range(len(lengths)) if closed else range(edge, len(lengths))
     other = next((e for e in edges[:-1] if given.flag(f"the body ahead is on edge {e}")), edges[-1])
@@ -155,7 +155,7 @@ def border_and_neighbour(given: Given, closed: bool, last: bool) -> Level[Any]:
     rears = EdgePosition(0, margin * 0), EdgePosition(len(lengths) - 1, lengths[-1])
     level = level_of(lengths, closed, margin, (rears[0], front), (facing, rears[1]))
     if not closed:
-        given.assume(coordinate(level, facing) >= coordinate(level, front), "the body ahead is ahead")
+        given.assume(coordinate(level, facing) >= coordinate(level, front), IN_ORDER.id)
         for left, right in ((rears[0], front), (facing, rears[1])):
             given.assume(coordinate(level, right) > coordinate(level, left), HAS_WIDTH)
     return level
@@ -168,7 +168,7 @@ def laws_hold(profile: Profile, given: Given, direction: Direction, closed: bool
     view, at = held.facing(direction), held.facing(direction).front(0)
     if closed:
         given.assume((view.gap(at, 1) <= free) & (free < held.rows[0].length), GAPS_FIT)
-        given.assume(view.gap(at, 1) >= 0, "the body ahead is ahead")
+        given.assume(view.gap(at, 1) >= 0, IN_ORDER.id)
     check_steps(given, view, at)
     check_sight(given, view, at)
     check_placing(given, view, at)
