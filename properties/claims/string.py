@@ -85,10 +85,9 @@ def of_rows(
     edges: int,
     closed: bool,
     *needs: str,
-    any_bodies: bool = False,
     **more: Any,
 ) -> Obligation:
-    """An obligation on whole strings of a fixed size. `any_bodies`: what it shows of one border holds of all."""
+    """An obligation on whole strings of a fixed size."""
     shape = "ring" if closed else "line"
     extra = "".join(f", {getattr(value, 'name', value)}" for value in more.values()).lower()
 
@@ -96,7 +95,7 @@ def of_rows(
         program(profile, given, bodies=bodies, edges=edges, closed=closed, **more)
 
     name = f"rows/{program.__name__.replace('_', '-')} ({bodies} on a {shape} of {edges}{extra})"
-    return Obligation(name, of_profile, (STRING, *needs), shape, None if any_bodies else bodies)
+    return Obligation(name, of_profile, (STRING, *needs), shape, bodies)
 
 
 ONE_RULE = tuple(
