@@ -11,11 +11,12 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any, Generic
 
-from reference.storeys import Interval, Place, StoreyWorld, Terrain, once_round
+from reference.storeys import Place, StoreyWorld, Terrain, once_round
 from reference.world import LevelError, Row, World
 from spec.body import Body, EdgePosition, Level
 from spec.graph import Direction, Edge, EdgeType
 from spec.number import N, greater, lesser, zero_like
+from spec.storeys import Interval
 
 
 @dataclass(frozen=True)

@@ -11,14 +11,7 @@ from typing import Generic
 
 from spec.graph import Direction
 from spec.number import N, Truth, greater, lesser, zero_like
-
-
-@dataclass(frozen=True)
-class Interval(Generic[N]):
-    """What lies between two places; on a ring the right one may be beyond once round."""
-
-    left: N
-    right: N
+from spec.storeys import Interval
 
 
 @dataclass(frozen=True)
@@ -55,7 +48,7 @@ class Place(Generic[N]):
 
 
 class StoreyWorld(Generic[N]):
-    """A world of storeys (`spec.storeys.Storeys`). It is changed by advancing and letting down bodies."""
+    """A world of storeys (`spec.storeys.Survey`). It is changed by advancing and letting down bodies."""
 
     def __init__(self, terrain: Terrain[N], margin: N, places: Sequence[Place[N]]) -> None:
         """Put the bodies in order, storey by storey."""
@@ -75,6 +68,24 @@ class StoreyWorld(Generic[N]):
         other = StoreyWorld(self.terrain, self.margin, ())
         other.places, other.rows = list(self.places), {storey: list(row) for storey, row in self.rows.items()}
         return other
+
+    @property
+    def circumference(self) -> N | None:
+        """Once round a ring."""
+        return self.terrain.circumference
+
+    @property
+    def ends(self) -> Interval[N] | None:
+        """What lies between the walls at both ends of a line."""
+        return self.terrain.ends
+
+    def solid(self, storey: int) -> Sequence[Interval[N]]:
+        """The terrain of a storey."""
+        return self.terrain.on(storey)
+
+    def span(self, body: int) -> Interval[N]:
+        """Where a body is, from border to border."""
+        return Interval(self.places[body].left, self.places[body].right)
 
     def storeys(self) -> Sequence[int]:
         """The storeys on which bodies stand, the lowest first."""

@@ -11,6 +11,7 @@ from spec.guidelines import GUIDELINES as ALL_GUIDELINES
 from spec.invariants import every
 from spec.number import N, Truth, zero_like
 from spec.plane import apart, outside_terrain
+from spec.stepped import all_held, margins_kept as storeys_apart, outside_terrain as outside_solids
 from spec.world import State
 
 
@@ -84,6 +85,12 @@ def guidelines(start: Any, asked: Any) -> Truth:
     return every(guideline.kept(start) for guideline in ALL_GUIDELINES)
 
 
+def storeys_start(start: Any, asked: Any) -> Truth:
+    """Margins, terrain and supports are kept."""
+    zero = zero_like(start.margin)
+    return every([storeys_apart(start, zero), outside_solids(start, zero), all_held(start, zero)])
+
+
 IN_ORDER = Condition("condition/in-order", "At the start no two bodies overlap.", "6.2.1; A10", in_order)
 MARGINS_KEPT = Condition(
     "condition/margins-kept",
@@ -135,6 +142,13 @@ GUIDELINES = Condition(
     "6.2.2; G1, G2, G3, G4, G5",
     guidelines,
 )
+STOREYS_START = Condition(
+    "condition/storeys-start",
+    "At the start, bodies on one storey are at least the margin apart or have terrain between them, all are outside "
+    "terrain, and each is held by the support that it names.",
+    "6.2.1, 6.2.2; R24, U9",
+    storeys_start,
+)
 
 CONDITIONS: tuple[Condition, ...] = (
     IN_ORDER,
@@ -146,4 +160,5 @@ CONDITIONS: tuple[Condition, ...] = (
     ONE_STRING,
     PLANE_START,
     GUIDELINES,
+    STOREYS_START,
 )

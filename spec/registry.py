@@ -14,6 +14,7 @@ from spec.readings import OF_STOREYS, READINGS
 from spec.rule import AnyRule, Family
 from spec.rules.request import FAMILIES, Rules
 from spec.rules.step import STEP_FAMILIES
+from spec.stepped import OF_ONE_STEP, STEP_RELATIONS
 from spec.unsupported import CASES, RECORDED
 
 
@@ -60,7 +61,7 @@ def statements() -> dict[str, Statement]:
     """
     rules = {rule.id: rule for profile in PROFILES.values() for rule in rules_of(profile)}.values()
     everything: list[Statement] = [*PROFILES.values(), *rules, *MODELS, *OF_ONE_REQUEST, *RELATIONS, *IN_PLANE]
-    everything += [*CONDITIONS, *GUIDELINES, *READINGS, *CASES, *RECORDED]
+    everything += [*OF_ONE_STEP, *STEP_RELATIONS, *CONDITIONS, *GUIDELINES, *READINGS, *CASES, *RECORDED]
     table: dict[str, Statement] = {}
     for statement in everything:
         if table.setdefault(statement.id, statement) is not statement:

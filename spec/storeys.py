@@ -60,6 +60,14 @@ Mark = Contact | AtWall | Seat
 """What is recorded when its event comes; a seat when it is lost."""
 
 
+@dataclass(frozen=True)
+class Interval(Generic[N]):
+    """What lies between two places; on a ring the right one may be beyond once round."""
+
+    left: N
+    right: N
+
+
 class Storeys(Protocol[N]):
     """A world of storeys. Bodies are named by their handles, places in the level's list.
 
@@ -118,6 +126,24 @@ class Storeys(Protocol[N]):
 
     def drop(self, body: int, /) -> None:
         """Let a body down by a storey; its support there is yet to be found."""
+
+
+class Survey(Storeys[N], Protocol[N]):
+    """What invariants may ask besides: where all that is solid is, in coordinates."""
+
+    @property
+    def circumference(self) -> N | None:
+        """Once round a ring, or None on a line."""
+
+    @property
+    def ends(self) -> Interval[N] | None:
+        """What lies between the walls at both ends of a line, or None on a ring."""
+
+    def solid(self, storey: int, /) -> Sequence[Interval[N]]:
+        """The terrain of a storey."""
+
+    def span(self, body: int, /) -> Interval[N]:
+        """Where a body is, from border to border; on a ring its left border is counted once round."""
 
 
 def seat_of(world: Storeys[N], body: int) -> Seat:

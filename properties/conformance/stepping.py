@@ -25,11 +25,11 @@ from reference.plan import Plan, check_plan
 from reference.recording import Recording, event_record, events_of
 from reference.simulator import Happened
 from reference.stepping import StepGame, of_step, run, told
-from reference.storeys import Interval, StoreyWorld, Terrain, once_round
+from reference.storeys import StoreyWorld, Terrain, once_round
 from reference.world import LevelError, World
 from spec.graph import Direction
 from spec.profiles import SteppedProfile
-from spec.storeys import Drive
+from spec.storeys import Drive, Interval
 
 MOST_WAYS = 500
 MOST_CHOICES = 100_000
