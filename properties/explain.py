@@ -191,7 +191,7 @@ def of_claim(claim: Claim) -> Iterator[Fact]:
         scope = "that keep the guidelines" if claim.hunt.guided else "of any kind"
         yield Fact("to hunt for", f"a witness in all scenes {scope}, up to {claim.hunt.most_bodies} bodies")
     if claim.sampled:
-        yield Fact("tested", "on random rows, in exact numbers and in floats")
+        yield Fact("tested", f"on random {claim.sampled}, in exact numbers and in floats")
     for item in claim.counts:
         yield Fact("to count", f"{item.id}: {said(item.program)}")
     if claim.erratum is not None:

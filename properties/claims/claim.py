@@ -11,7 +11,7 @@ from properties.contracts.errata import Stage
 from properties.given import Given
 from spec.invariants import Deed
 from spec.number import Truth
-from spec.profiles import Profile
+from spec.profiles import AnyProfile
 
 
 class Verdict(StrEnum):
@@ -26,7 +26,7 @@ class Verdict(StrEnum):
 
 @dataclass(frozen=True)
 class Obligation:
-    """Something to be proved for all values.
+    """Something to be proved for all values, under a profile.
 
     Attributes:
         needs: the IDs of the conditions it assumes, which a claim must list that rests on it.
@@ -36,7 +36,7 @@ class Obligation:
     """
 
     id: str
-    program: Callable[[Profile, Given], None]
+    program: Callable[[Any, Given], None]
     needs: tuple[str, ...] = ()
     shape: str | None = None
     bodies: int | None = None
@@ -48,7 +48,7 @@ class Count:
     """An exact count over many worlds: a function that returns the number of cases, or raises AssertionError."""
 
     id: str
-    program: Callable[[Profile], int]
+    program: Callable[[Any], int]
 
 
 @dataclass(frozen=True)
@@ -69,7 +69,7 @@ class Hunt:
     least_bodies: int = 1
 
 
-Erratum = Callable[[Profile, Given, Stage], None]
+Erratum = Callable[[Any, Given, Stage], None]
 
 
 @dataclass(frozen=True)
@@ -80,7 +80,7 @@ class Claim:
         about: the ID of the invariant or rule family.
         premises: the IDs of the conditions it assumes.
         obligations: what is to be proved; all of them, for the claim to be proved.
-        sampled: whether the property `about` is also tested on random rows.
+        sampled: the random worlds on which the property `about` is also tested, `rows` or `storeys`.
         counts: exact counts that are to come out.
         hunt: what is promised of all small scenes with ledges.
         long: whether it takes too long to be settled at every check.
@@ -92,11 +92,11 @@ class Claim:
     sentence: str
     source: str
     about: str
-    profile: Profile
+    profile: AnyProfile
     premises: tuple[str, ...]
     expected: Verdict
     obligations: tuple[Obligation, ...] = ()
-    sampled: bool = False
+    sampled: str | None = None
     counts: tuple[Count, ...] = ()
     erratum: Erratum | None = None
     hunt: Hunt | None = None

@@ -42,8 +42,7 @@ from spec.invariants import (
     Invariant,
     Relation,
 )
-from spec.profiles import THESIS, Profile
-from spec.rules.request import Rules
+from spec.profiles import THESIS, AnyProfile, Profile
 
 PROVED, BOUNDED, TESTED, REFUTED = Verdict.PROVED, Verdict.BOUNDED, Verdict.TESTED, Verdict.REFUTED
 
@@ -53,10 +52,10 @@ HALF, HALVES, STRING = HALF_ROUND.id, HALVES_LONG.id, ONE_STRING.id
 ON_EXACT = (REQUEST_EXACT, SEGMENT, SEGMENT_EXACT)
 
 
-def of_rules(program: Callable[[Rules, Given], None], *needs: str, contracts: tuple[Contract, ...] = ()) -> Obligation:
+def of_rules(program: Callable[[Any, Given], None], *needs: str, contracts: tuple[Contract, ...] = ()) -> Obligation:
     """An obligation on the rules, for any number of bodies and edges."""
 
-    def of_profile(profile: Profile, given: Given) -> None:
+    def of_profile(profile: AnyProfile, given: Given) -> None:
         program(profile.rules, given)
 
     return Obligation(name_of(program), of_profile, needs, contracts=tuple(one.id for one in contracts))
@@ -180,7 +179,7 @@ def holds(
         premises=(STRING, *premises),
         expected=expected,
         obligations=obligations,
-        sampled=True,
+        sampled="rows",
     )
 
 

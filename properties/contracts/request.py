@@ -16,7 +16,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Generator
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import Any, TypeVar
 
 from properties.contracts.contract import (
     AS_FAR,
@@ -42,7 +42,6 @@ from properties.given import Given, Infeasible
 from properties.worlds.window import ME, NEIGHBOUR, Capacity, Spot, Window, capacity, lonely_window, spot, window
 from spec.conditions import IN_ORDER
 from spec.invariants import every
-from spec.profiles import Profile
 from spec.rule import AnyFamily, AnyRule, Chooser, Family, GuardError, Rule
 from spec.rules.leave import Departure, Placement
 from spec.rules.push import Way
@@ -51,6 +50,7 @@ from spec.rules.walk import Motion, Tow, walk
 
 Grant = Callable[[Ask[Any, str]], Any]
 ONE_RULE = "rules/one-applies"
+P = TypeVar("P")
 MOST_ROUNDS = 3
 EXACT_SEGMENT = (SEGMENT, SEGMENT_EXACT)
 
@@ -78,7 +78,7 @@ def seen_by(given: Given, rules: Rules) -> Rules:
     return rules.through(lambda family: Seen(family, given))
 
 
-def judged(program: Callable[[Profile, Given], None], profile: Profile, given: Given) -> None:
+def judged(program: Callable[[P, Given], None], profile: P, given: Given) -> None:
     """Run an obligation; it fails where no rule or two apply, or an effect's own requirement (an `assert`) fails."""
     try:
         program(profile, given)

@@ -1,6 +1,6 @@
-"""Property testing: every invariant on random rows, on exact numbers and on floats, with statistics.
+"""Property testing: every invariant on random worlds, on exact numbers and on floats, with statistics.
 
-The seed is fixed, so that a run can be repeated. The shares of requests that do something of interest are
+The seed is fixed, so that a run can be repeated. The shares of trials in which something of interest happens are
 counted, and a campaign whose inputs are too tame counts for nothing.
 """
 
@@ -10,7 +10,7 @@ import importlib
 import pkgutil
 import tempfile
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
 from pathlib import Path
@@ -18,6 +18,7 @@ from typing import Any
 
 from hypothesis import HealthCheck, Phase, given, seed, settings
 from hypothesis.configuration import set_hypothesis_home_dir
+from hypothesis.strategies import SearchStrategy
 
 import properties
 import reference
@@ -30,7 +31,7 @@ from properties.strategies.rows import Trial, trials
 from reference.simulator import Endless
 from reference.world import World, world_of
 from spec.invariants import OF_ONE_REQUEST, TERMINATION
-from spec.profiles import Profile
+from spec.profiles import AnyProfile, Profile
 from spec.rule import GuardError
 
 FLOAT_TOLERANCE = 1e-9
@@ -53,32 +54,52 @@ FLOORS = {
 class Broken(AssertionError):
     """A property fails on a trial."""
 
-    def __init__(self, property_id: str, trial: Trial) -> None:
+    def __init__(self, property_id: str, trial: Any) -> None:
         """Name the property and the trial."""
         super().__init__(f"{property_id} fails for {trial}")
         self.property_id = property_id
         self.trial = trial
 
 
+@dataclass(frozen=True)
+class Sampling:
+    """Random worlds of a kind, and what is tested in them.
+
+    Attributes:
+        floors: the least share of trials for each feature of interest.
+        failing: the properties that fail on a trial under a profile, in floats or exactly; it notes what was seen.
+        contracts: those that are to be evaluated once a trial, or more.
+    """
+
+    name: str
+    trials: Callable[[], SearchStrategy[Any]]
+    floors: Mapping[str, float]
+    failing: Callable[[Any, Any, bool, Campaign], Iterable[str]]
+    contracts: tuple[str, ...] = ()
+
+
 @dataclass
 class Campaign:
     """What a run of property tests showed: cases, shares of interest, the simplest failure of each property, looks."""
 
+    sampling: Sampling
     cases: int = 0
     shares: Counter[str] = field(default_factory=Counter)
-    failures: dict[str, Trial] = field(default_factory=dict)
+    failures: dict[str, Any] = field(default_factory=dict)
     looks: set[Look] = field(default_factory=set)
     evaluations: Counter[str] = field(default_factory=Counter)
 
     @property
     def tame(self) -> list[str]:
         """The shares that do not reach their floor, and the contracts that were evaluated less than once a trial."""
-        shares = [name for name, floor in FLOORS.items() if self.shares[name] < floor * self.cases]
-        return shares + [one.id for one in ON_ONE_STRING if self.evaluations[one.id] < max(1, self.cases)]
+        shares = [name for name, floor in self.sampling.floors.items() if self.shares[name] < floor * self.cases]
+        return shares + [name for name in self.sampling.contracts if self.evaluations[name] < max(1, self.cases)]
 
 
-def failing(profile: Profile, trial: Trial, world: World[Any], tolerance: Any, seen: Campaign) -> Iterator[str]:
+def failing(profile: Profile, trial: Trial, floats: bool, seen: Campaign) -> Iterator[str]:
     """The properties and contracts that fail on a trial, in exact numbers or floats; contracts come last."""
+    world: World[Any] = world_of_floats(trial.level) if floats else world_of(trial.level)
+    tolerance: Any = FLOAT_TOLERANCE if floats else Fraction(0)
     asked = trial.asked + world.margin * 0
     try:
         deed, record = do(profile, world, trial.body, trial.direction, asked, tolerance)
@@ -128,16 +149,19 @@ def fix_inputs() -> None:
             importlib.import_module(module.name)
 
 
-def campaign(profile: Profile, floats: bool, examples: int = EXAMPLES) -> Campaign:
+ROWS = Sampling("rows", trials, FLOORS, failing, tuple(one.id for one in ON_ONE_STRING))
+
+
+def campaign(profile: AnyProfile, floats: bool, examples: int = EXAMPLES, sampling: Sampling = ROWS) -> Campaign:
     """Try every property on random trials; after a failure go on without the property that failed."""
     fix_inputs()
-    result = Campaign()
+    result = Campaign(sampling)
     while (failure := first_failure(profile, floats, examples, result)) is not None:
         result.failures[failure.property_id] = failure.trial
     return result
 
 
-def first_failure(profile: Profile, floats: bool, examples: int, result: Campaign) -> Broken | None:
+def first_failure(profile: AnyProfile, floats: bool, examples: int, result: Campaign) -> Broken | None:
     """Run the trials until a property fails that has not failed before; return its simplest failure."""
     result.cases, result.shares, result.evaluations = 0, Counter(), Counter()
 
@@ -151,12 +175,10 @@ def first_failure(profile: Profile, floats: bool, examples: int, result: Campaig
         report_multiple_bugs=False,
         print_blob=False,
     )
-    @given(trials())
-    def every_property_holds(trial: Trial) -> None:
-        world: World[Any] = world_of_floats(trial.level) if floats else world_of(trial.level)
-        tolerance: Any = FLOAT_TOLERANCE if floats else Fraction(0)
+    @given(result.sampling.trials())
+    def every_property_holds(trial: Any) -> None:
         result.cases += 1
-        for property_id in failing(profile, trial, world, tolerance, result):
+        for property_id in result.sampling.failing(profile, trial, floats, result):
             if property_id not in result.failures:
                 raise Broken(property_id, trial)
 

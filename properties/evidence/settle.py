@@ -107,11 +107,12 @@ def shown(values: Mapping[str, Fraction | bool]) -> str:
 def refute(claim_id: str) -> Showing:
     """Search for a witness against a claim."""
     from properties.evidence.witness import refute as search
+    from spec.profiles import OF_REQUESTS
 
     claim = by_id(claim_id)
     assert claim.erratum is not None
     started = time.perf_counter()
-    outcome = search(claim.profile, claim.erratum)
+    outcome = search(OF_REQUESTS[claim.profile.name], claim.erratum)
     seconds = time.perf_counter() - started
     found = outcome.counterexample
     if found is None:
@@ -123,11 +124,12 @@ def refute(claim_id: str) -> Showing:
 def chase(claim_id: str, seed: int) -> Showing:
     """Hunt for a witness against the promise of a claim; the seed orders shapes of the same size."""
     from properties.evidence.hunt import go
+    from spec.profiles import OF_REQUESTS
 
     claim = by_id(claim_id)
     assert claim.hunt is not None
     started = time.perf_counter()
-    quarry = go(claim.hunt, claim.profile, seed)
+    quarry = go(claim.hunt, OF_REQUESTS[claim.profile.name], seed)
     seconds = time.perf_counter() - started
     if quarry.shape is None:
         return Showing("z3", seconds, quarry.paths, open=tuple(quarry.open))
@@ -135,16 +137,18 @@ def chase(claim_id: str, seed: int) -> Showing:
     return Showing("z3", seconds, quarry.paths, failures, values=texts(quarry.values), shape=quarry.shape)
 
 
-def sample(profile_name: str, floats: bool) -> Showing:
-    """Test every invariant on random rows."""
-    from properties.evidence.sample import FLOORS, campaign
-    from spec.profiles import OF_REQUESTS
+def sample(kind: str, profile_name: str, floats: bool) -> Showing:
+    """Test every invariant on random worlds of a kind."""
+    from properties.evidence.sample import ROWS, campaign
+    from properties.evidence.sample_steps import STOREYS
+    from spec.profiles import PROFILES
 
     started = time.perf_counter()
-    result = campaign(OF_REQUESTS[profile_name], floats)
+    (sampling,) = (one for one in (ROWS, STOREYS) if one.name == kind)
+    result = campaign(PROFILES[profile_name], floats, sampling=sampling)
     failures = {name: str(trial) for name, trial in result.failures.items()}
     open_ = tuple(f"too few trials: {name}" for name in result.tame)
-    shares = {name: (result.shares[name] / result.cases, floor) for name, floor in FLOORS.items()}
+    shares = {name: (result.shares[name] / result.cases, floor) for name, floor in sampling.floors.items()}
     return Showing(
         "hypothesis",
         time.perf_counter() - started,
@@ -187,9 +191,10 @@ def jobs_of(claim: Claim, seed: int = 0) -> Jobs:
     jobs: Jobs = {}
     for obligation in claim.obligations:
         jobs["prove", claim.profile.name, obligation.id] = partial(prove, claim.id, obligation.id)
-    if claim.sampled:
+    if claim.sampled is not None:
         for floats in (False, True):
-            jobs["sample", claim.profile.name, str(floats)] = partial(sample, claim.profile.name, floats)
+            job = partial(sample, claim.sampled, claim.profile.name, floats)
+            jobs["sample", claim.profile.name, str(floats)] = job
     for item in claim.counts:
         jobs["count", claim.profile.name, item.id] = partial(count, claim.id, item.id)
     if claim.erratum is not None:

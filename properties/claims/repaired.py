@@ -1,0 +1,165 @@
+"""The claims about steps on storeys, under the profile `repaired`."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from fractions import Fraction
+
+from properties.claims.claim import Claim, Count, Obligation, Verdict
+from properties.claims.string import of_rules
+from properties.contracts import counts, step_families, steps
+from properties.given import Given
+from properties.worlds.storeys import Member, Setting
+from spec.conditions import STOREYS_START
+from spec.invariants import Relation
+from spec.profiles import REPAIRED, SteppedProfile
+from spec.rules.step import StepRules
+from spec.stepped import (
+    OF_ONE_STEP,
+    STEP_BODY_ORDER,
+    STEP_FURTHEST,
+    STEP_MIRROR,
+    STEP_RIDERS,
+    STEP_SPLIT,
+    StepInvariant,
+)
+from spec.storeys import Drive
+
+PROVED, BOUNDED, TESTED = Verdict.PROVED, Verdict.BOUNDED, Verdict.TESTED
+START = STOREYS_START.id
+
+STILL = Drive(Fraction(0))
+RIGHT, LEFT, FAST = (Drive(Fraction(speed), relative=False) for speed in (1, -1, 2))
+SLIDES = Drive(Fraction(1))
+
+ALONE = Setting("alone", (Member(0, RIGHT),))
+PIT = Setting("over a pit", (Member(1, RIGHT),), (2,))
+STAIRS = Setting("down stairs", (Member(2, RIGHT),), (1, 1))
+ROUND = Setting("round a ring", (Member(1, RIGHT),), (1,), ring=True)
+PUSH = Setting("a push", (Member(0, RIGHT), Member(0, STILL)))
+TOWARDS = Setting("towards each other", (Member(0, RIGHT), Member(0, LEFT)))
+CHASE = Setting("a chase", (Member(0, FAST), Member(0, RIGHT)))
+RING_PUSH = Setting("a push on a ring", (Member(0, RIGHT), Member(0, STILL)), ring=True)
+RIDE = Setting("a ride", (Member(0, RIGHT), Member(1, STILL, 0)))
+WALKS_ON = Setting("a walk on a walker", (Member(0, RIGHT), Member(1, FAST, 0)))
+SQUEEZE = Setting("a squeeze", (Member(0, RIGHT), Member(0, STILL), Member(0, LEFT)))
+THREE = Setting("a push of two", (Member(0, RIGHT), Member(0, STILL), Member(0, STILL)))
+NO_PUSH = Setting("one that may not push", (Member(0, FAST), Member(0, STILL, pushes=False), Member(0, LEFT)))
+RING_OF_THREE = Setting("a push of two on a ring", (Member(0, RIGHT), Member(0, STILL), Member(0, STILL)), ring=True)
+PUSHED_OFF = Setting("a push off a ledge", (Member(1, RIGHT), Member(1, STILL)), (1,))
+PUSHED_RIDE = Setting("a push of a carrier", (Member(0, RIGHT), Member(0, STILL), Member(1, STILL, 1)))
+SLIDE = Setting("a slide on a walker", (Member(0, RIGHT), Member(1, SLIDES, 0)), (1,))
+
+SMALL = (ALONE, PIT, STAIRS, ROUND, PUSH, TOWARDS, CHASE, RING_PUSH, RIDE, WALKS_ON, SQUEEZE, THREE)
+LARGER = (NO_PUSH, PUSHED_RIDE, PUSHED_OFF, SLIDE)
+
+
+def of_setting(program: Callable[[SteppedProfile, Given, Setting], None], setting: Setting) -> Obligation:
+    """An obligation on all steps of a setting."""
+
+    def of_profile(profile: SteppedProfile, given: Given) -> None:
+        program(profile, given, setting)
+
+    name = f"steps/{program.__name__.replace('_', '-')} ({setting.name})"
+    return Obligation(name, of_profile, (START,), "ring" if setting.ring else "line", len(setting.members))
+
+
+def of_steps(*programs: Callable[[StepRules, Given], None]) -> tuple[Obligation, ...]:
+    """Obligations on the rules of a step, for any number of bodies."""
+    return tuple(of_rules(program) for program in programs)
+
+
+WHOLE_STEPS = tuple(of_setting(steps.steps_keep_the_invariants, setting) for setting in SMALL)
+LARGER_STEPS = tuple(of_setting(steps.steps_keep_the_invariants, setting) for setting in LARGER)
+MIRRORED = tuple(of_setting(steps.steps_have_mirror_images, one) for one in (ALONE, PUSH, CHASE, RIDE))
+SPLIT = tuple(of_setting(steps.steps_may_be_split, one) for one in (ALONE, PUSH, TOWARDS))
+
+
+def holds(about: StepInvariant | Relation, expected: Verdict, *obligations: Obligation) -> Claim:
+    """The claim that all steps have a property; it is also tested on random storeys."""
+    return Claim(
+        id=f"claim/{about.id.removeprefix('invariant/')}",
+        family="steps",
+        sentence=about.sentence,
+        source=about.source,
+        about=about.id,
+        profile=REPAIRED,
+        premises=(START,),
+        expected=expected,
+        obligations=obligations,
+        sampled="storeys",
+    )
+
+
+def proved(name: str, about: str, sentence: str, source: str, *programs: Callable[[StepRules, Given], None]) -> Claim:
+    """A claim about rows of any length, proved by obligations that assume nothing."""
+    obligations = of_steps(*programs)
+    return Claim(f"claim/{name}", "steps", sentence, source, about, REPAIRED, (), PROVED, obligations)
+
+
+CLAIMS: tuple[Claim, ...] = (
+    *(holds(invariant, BOUNDED, *WHOLE_STEPS) for invariant in OF_ONE_STEP),
+    holds(STEP_SPLIT, BOUNDED, *SPLIT),
+    holds(STEP_MIRROR, BOUNDED, *MIRRORED),
+    holds(STEP_BODY_ORDER, TESTED),
+    holds(STEP_RIDERS, TESTED),
+    holds(STEP_FURTHEST, TESTED),
+    proved(
+        "one-step-rule-applies",
+        "rules",
+        "Within each family that a step chooses from, exactly one rule applies in every situation.",
+        "6.2.1; R5",
+        step_families.wish_has_one,
+        step_families.forward_has_one,
+        step_families.relay_has_one,
+        step_families.meet_has_one,
+        step_families.way_has_one,
+        step_families.settle_has_one,
+    ),
+    proved(
+        "contacts-do-not-close",
+        "way/slower",
+        "In a row of any length, the body behind is never faster than the one ahead in contact, and nobody moves on at "
+        "a wall.",
+        "6.2.1b, 6.2.1c; R19, R20, R24",
+        steps.contacts_do_not_close,
+    ),
+    proved(
+        "squeezed-bodies-stand",
+        "row/squeezed",
+        "In a row of any length, a squeezed body stands and passes nothing on, and so does any in a row that closes.",
+        "6.2.1c, 4.2; R20, R31, A2, A7",
+        steps.squeezed_bodies_stand,
+    ),
+    proved(
+        "speeds-are-wished",
+        "row/pushed",
+        "In a row of any length, the speed that reaches a body is the greatest wish of it and of those behind it from "
+        "which that is passed on.",
+        "4.2, 6.2.1c; R6, R20",
+        steps.speeds_are_wished,
+    ),
+    Claim(
+        id="claim/whole-steps",
+        family="steps",
+        sentence="Steps of larger small worlds, with riders, ledges and one that may not push, keep every invariant.",
+        source="6.2.1; R5, R20",
+        about="invariants",
+        profile=REPAIRED,
+        premises=(START,),
+        expected=BOUNDED,
+        obligations=LARGER_STEPS,
+        long=True,
+    ),
+    Claim(
+        id="claim/every-step-rule-fires",
+        family="work",
+        sentence="Every rule of a step fires in a scenario of the library.",
+        source="6.2.1; R5",
+        about="rules",
+        profile=REPAIRED,
+        premises=(),
+        expected=TESTED,
+        counts=(Count("counts/every-rule-fires", counts.every_rule_fires),),
+    ),
+)
