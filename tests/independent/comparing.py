@@ -10,34 +10,40 @@ from independent.model import simulate
 
 from reference.recording import recording
 
+Line = dict[str, Any]
+"""A line of a trace."""
+
 Said = dict[str, Any]
-"""What a trace says of a step: moves, bodies, supports, and the events, those of an instant in no order of their own."""
+"""What a step comes to: moves, bodies, supports, and the events, those of an instant in an order of ours."""
 
 
-def by_reference(scenario: dict[str, Any], path: Path) -> list[Said]:
-    """Return what the reference says of each step; `path` is where the scenario is written for it."""
+def by_reference(scenario: dict[str, Any], path: Path) -> list[Line]:
+    """Return the lines of the reference for a scenario, which is written to `path` for it.
+
+    Raises:
+        FormatError: if the reference refuses the scenario.
+    """
     path.write_text(json.dumps(scenario), encoding="utf-8")
-    return [said_by_line(msgspec.to_builtins(line)) for line in recording(path).lines]
+    return [msgspec.to_builtins(line) for line in recording(path).lines]
 
 
-def said_by_line(line: dict[str, Any]) -> Said:
-    """Return what the line of a trace says."""
+def said_by_reference(line: Line) -> Said:
+    """Return what a line of the reference says."""
+    events = [(Fraction(one["time"]), one["rule"], one["body"], one.get("other", "")) for one in line["events"]]
     return {
         "moves": [(move["body"], Fraction(move["asked"]), Fraction(move["moved"])) for move in line["moves"]],
         "bodies": {body["name"]: (position(body["left"]), position(body["right"])) for body in line["bodies"]},
         "supports": line["supports"],
-        "events": sorted(
-            (Fraction(event["time"]), event["rule"], event["body"], event.get("other", "")) for event in line["events"]
-        ),
+        "events": sorted(events),
     }
 
 
 def position(border: dict[str, Any]) -> tuple[int | str, Fraction]:
     """Return an edge position: the number of an edge or the name of a top, and the location."""
-    return border["edge"] if border.get("top") is None else border["top"], Fraction(border["location"])
+    return border.get("top", border.get("edge")), Fraction(border["location"])
 
 
-def by_model(scenario: dict[str, Any]) -> list[Said]:
+def said_by_model(scenario: dict[str, Any]) -> list[Said]:
     """Return what the model says of each step."""
     return [
         {
@@ -50,10 +56,21 @@ def by_model(scenario: dict[str, Any]) -> list[Said]:
     ]
 
 
-def difference(scenario: dict[str, Any], path: Path) -> str | None:
-    """Return the first thing that the two say otherwise, in one line, or None if they agree."""
-    for step, (expected, seen) in enumerate(zip(by_reference(scenario, path), by_model(scenario), strict=True), 1):
-        for what, value in expected.items():
+def difference(lines: list[Line], scenario: dict[str, Any]) -> str | None:
+    """Return the first thing of which the model says otherwise than the lines, or None if they agree."""
+    for step, (line, seen) in enumerate(zip(lines, said_by_model(scenario), strict=True), 1):
+        for what, value in said_by_reference(line).items():
             if seen[what] != value:
-                return f"step {step}, {what}: the reference says {value}, the model {seen[what]}"
+                return f"step {step}, {what}: expected {plain(value)}, got {plain(seen[what])}"
     return None
+
+
+def plain(value: Any) -> str:
+    """Return a value with its fractions as a file has them."""
+    match value:
+        case dict():
+            return "{" + ", ".join(f"{key}: {plain(one)}" for key, one in value.items()) + "}"
+        case tuple() | list():
+            return "[" + ", ".join(map(plain, value)) + "]"
+        case _:
+            return str(value)

@@ -5,11 +5,14 @@ from fractions import Fraction
 from random import Random
 from typing import Any
 
-from independent.model import Body, Span, Terrain, World, overlap, read_world
+from independent.model import Body, Span, Terrain, World, overlap
 
 GRIDS = [(Fraction(1, 4), Fraction(1, 4)), (Fraction(1, 8), Fraction(1, 4)), (Fraction(1, 2), Fraction(1, 4))]
 """Margins, each with the grid of all places and widths."""
 SPEEDS = [Fraction(1, 2), Fraction(1), Fraction(1), Fraction(2), Fraction(3)]
+
+HEIGHTS = [Fraction(1), Fraction(1), Fraction(1), Fraction(1, 2), Fraction(5, 4)]
+"""The height of all bodies of a level, and of its storeys."""
 
 Piece = tuple[Fraction, Fraction, int, int | None]
 """Ground from left to right, at a storey, solid for so many storeys down; None is all the way."""
@@ -18,19 +21,22 @@ Piece = tuple[Fraction, Fraction, int, int | None]
 def scenario(random: Random, name: str) -> dict[str, Any]:
     """Return a scenario of a few steps. The reference may refuse it."""
     margin, grid = random.choice(GRIDS)
+    height = random.choice(HEIGHTS)
     circumference = grid * random.randint(20, 40) if random.random() < 0.35 else None
     length = circumference or grid * random.randint(24, 56)
-    pieces = [*profile(random, length, grid), *platforms(random, length, grid)]
+    ground = profile(random, length, grid)
+    pieces = [*ground, *platforms(random, ground, length, grid)]
+    shift = grid * random.choice([0, 0, 0, 1, 7, 15])
     level = {
         "format": "graphbody/level@1",
         "name": name,
         "margin": str(margin),
         "tick": str(random.choice([Fraction(1, 4), Fraction(1, 2), Fraction(1)])),
-        **graph(pieces, circumference),
+        **graph(pieces, circumference, height, shift),
     }
     if circumference is not None:
         level["circumference"] = str(circumference)
-    level["bodies"] = bodies(random, level, grid)
+    level["bodies"] = [{**body, "height": str(height)} for body in bodies(random, level, grid, height)]
     steps = [step(random, level["bodies"], grid) for _ in range(random.randint(1, 5))]
     head = {"format": "graphbody/scenario@1", "name": name, "profile": "repaired"}
     return {**head, "level": level, "steps": steps}
@@ -48,19 +54,22 @@ def profile(random: Random, length: Fraction, grid: Fraction) -> list[Piece]:
     ]
 
 
-def platforms(random: Random, length: Fraction, grid: Fraction) -> list[Piece]:
-    """Return platforms that are a storey or two thick, often none."""
+def platforms(random: Random, ground: list[Piece], length: Fraction, grid: Fraction) -> list[Piece]:
+    """Return platforms that are a storey or two thick, clear of the ground and each on a storey of its own."""
     result: list[Piece] = []
     for _ in range(random.choice([0, 0, 0, 1, 1, 2])):
         cells = int(length / grid)
         start = random.randint(0, cells - 4)
         end = random.randint(start + 1, min(cells, start + 12))
         thick = random.choice([1, 1, 2])
-        result.append((grid * start, grid * end, random.randint(thick + 1, 4), thick))
+        storey = random.randint(thick + 1, 4)
+        under = [piece[2] for piece in ground if overlap((grid * start, grid * end), piece[:2]) > 0]
+        if max(under) < storey and storey not in [piece[2] for piece in result]:
+            result.append((grid * start, grid * end, storey, thick))
     return result
 
 
-def graph(pieces: list[Piece], circumference: Fraction | None) -> dict[str, Any]:
+def graph(pieces: list[Piece], circumference: Fraction | None, height: Fraction, shift: Fraction) -> dict[str, Any]:
     """Return the vertices and the edges that pieces of ground make, with a fall edge down from each open end."""
     drops = [drop for piece in pieces for drop in drops_of(piece, pieces, circumference)]
     corners = {(x, low) for x, _, low, _ in drops}
@@ -75,11 +84,11 @@ def graph(pieces: list[Piece], circumference: Fraction | None) -> dict[str, Any]
         cuts = sorted({left, right, *(x for x, low in corners if low == storey and left < x < right)})
         for start, end in zip(cuts, cuts[1:], strict=False):
             edge: dict[str, Any] = {"left": vertex(start, storey), "right": vertex(end, storey), "type": "ground"}
-            edges.append(edge if thick is None else {**edge, "thickness": str(thick)})
+            edges.append(edge if thick is None else {**edge, "thickness": str(thick * height)})
     for x, high, low, side in drops:
         ends = (vertex(x, high), vertex(x, low)) if side > 0 else (vertex(x, low), vertex(x, high))
         edges.append({"left": ends[0], "right": ends[1], "type": "fall"})
-    return {"vertices": [[str(x), str(storey)] for x, storey in vertices], "edges": edges}
+    return {"vertices": [[str(x + shift), str(storey * height)] for x, storey in vertices], "edges": edges}
 
 
 def drops_of(
@@ -107,11 +116,12 @@ def reaches(piece: Piece, x: Fraction, side: int, circumference: Fraction | None
 # Bodies
 
 
-def bodies(random: Random, level: dict[str, Any], grid: Fraction) -> list[dict[str, Any]]:
+def bodies(random: Random, level: dict[str, Any], grid: Fraction, height: Fraction) -> list[dict[str, Any]]:
     """Return bodies in places that are free: on the ground, in stacks, some hanging over."""
-    world = read_world({**level, "bodies": []})
-    for number in range(random.randint(2, 8)):
-        for _ in range(6):
+    world = World(Terrain(level, height), Fraction(level["margin"]), [])
+    wanted = random.randint(2, 8)
+    for number in range(wanted):
+        for _ in range(6 if world.bodies else 100):
             body = a_body(random, world, f"B{number}", grid)
             if body is not None and is_free(world, body):
                 world.bodies.append(body)

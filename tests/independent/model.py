@@ -98,11 +98,11 @@ def overlap(first: Span, second: Span) -> Fraction:
 class Terrain:
     """What never moves: walls and ground of each storey, and the edges that places are told by."""
 
-    def __init__(self, level: dict[str, Any]) -> None:
+    def __init__(self, level: dict[str, Any], height: Fraction) -> None:
         self.points = [(Fraction(x), Fraction(y)) for x, y in level["vertices"]]
         around = level.get("circumference")
         self.circumference = None if around is None else Fraction(around)
-        self.height = max((Fraction(body.get("height", 1)) for body in level["bodies"]), default=Fraction(1))
+        self.height = height
         self.floor = min(y for _, y in self.points)
         self.edges: list[GroundEdge] = []
         self.solid: dict[int, list[Span]] = {}
@@ -173,11 +173,11 @@ class Terrain:
 def positions(terrain: Terrain, body: Body) -> tuple[dict[str, Any], dict[str, Any]]:
     """Return the edge positions of a body on the ground, on the first string of edges under it."""
     found = []
-    for string in terrain.strings(body.storey):
+    for string in sorted(terrain.strings(body.storey), key=lambda edges: edges[0].span[0]):
         for laid in laid_out(terrain, string):
             if overlap((laid[0][1][0], laid[-1][1][1]), (body.left, body.right)) > 0:
                 found.append(laid)
-    laid = min(found, key=lambda edges: edges[0][1][0])
+    laid = found[0]
     left = next((edge for edge in laid if body.left < edge[1][1]), laid[-1])
     right = next((edge for edge in reversed(laid) if body.right > edge[1][0]), laid[0])
     return (
@@ -293,7 +293,7 @@ class World:
 
     def rows(self, storey: int) -> Iterator[tuple[list[int], bool]]:
         """Yield the longest chains of bodies in contact on a storey, and whether they close on themselves."""
-        after = {i: j for i, j in self.contacts if self.bodies[i].storey == storey}
+        after = {i: j for i, j, _ in self.neighbours(storey) if (i, j) in self.contacts}
         left = self.on(storey)
         behind = set(after.values())
         for first in [i for i in left if i not in behind] or left[:1]:
@@ -396,13 +396,15 @@ class World:
     # Settling
 
     def settle(self, lost: set[int], now: Fraction) -> None:
-        """Let all bodies that lost their support find another, lowest storey first."""
-        for i in sorted(range(len(self.bodies)), key=lambda i: self.bodies[i].storey):
+        """Let all bodies that lost their support find another, lowest storey first, each from left to right."""
+        for i in sorted(range(len(self.bodies)), key=lambda i: (self.bodies[i].storey, self.bodies[i].left)):
             body = self.bodies[i]
             fallen = body.support is not None and self.bodies[body.support].storey != body.storey - 1
             if i in lost or fallen:
                 motion = self.velocities[i] - self.support_velocity(i)
                 self.find_support(i, motion, body.support if i in lost else None, now)
+        storeys = [body.storey for body in self.bodies]
+        self.contacts = {(i, j) for i, j in self.contacts if storeys[i] == storeys[j]}
 
     def find_support(self, i: int, motion: Fraction, lost: int | None, now: Fraction) -> None:
         """Let a body stand on the ground or a top of its storey, or else fall by a storey and look again."""
@@ -414,7 +416,6 @@ class World:
                 self.tell(now, "settle/jump", i, body.support)
                 return
             body.storey -= 1
-            self.contacts = {pair for pair in self.contacts if i not in pair}
             self.walls = {wall for wall in self.walls if wall[0] != i}
             self.tell(now, "settle/fall", i)
         body.support = None
@@ -430,7 +431,7 @@ class World:
             return max(start for start, _ in near), -j
         if motion < 0:
             return max(-end for _, end in near), -j
-        return sum((max(overlap(span, (body.left, body.right)), ZERO) for span in near), ZERO), -j
+        return max(overlap(span, (body.left, body.right)) for span in near), -j
 
     # What a trace says
 
@@ -485,7 +486,7 @@ def cut(speeds: list[Fraction], at_wall: list[bool]) -> list[Fraction]:
 
 def read_world(level: dict[str, Any]) -> World:
     """Return a level as it starts."""
-    terrain = Terrain(level)
+    terrain = Terrain(level, Fraction(level["bodies"][0].get("height", 1)))
     index = {body["name"]: i for i, body in enumerate(level["bodies"])}
     bodies = [read_body(terrain, level["bodies"], index, i) for i in range(len(index))]
     return World(terrain, Fraction(level.get("margin", "1/100")), bodies)
