@@ -71,13 +71,19 @@ class Plan(Generic[N]):
         )
 
     def under(self, place: Place[N]) -> tuple[String[N], N]:
-        """The first string under a body on the ground, and where along it its left border is."""
-        for string in self.strings:
-            if string.storey == place.storey:
-                for along in self.alongs(string, place):
-                    if along < string.row.length and along + place.width > zero_like(along):
-                        return string, along
-        raise AssertionError("a body on the ground is over a string of edges")
+        """The first string under a body on the ground, and where along it its left border is.
+
+        In floats a body may have come off its ground by a rounding: then the string that it is nearest to.
+        """
+        strings = [string for string in self.strings if string.storey == place.storey]
+        found = [(string, along) for string in strings for along in self.alongs(string, place)]
+        best = found[0]
+        for one in found:
+            if overlap(*one, place) > zero_like(place.left):
+                return one
+            if overlap(*one, place) > overlap(*best, place):
+                best = one
+        return best
 
     def alongs(self, string: String[N], place: Place[N]) -> Iterator[N]:
         """Where along a string a body's left border is; on a ring there are two ways to see it."""
@@ -88,6 +94,11 @@ class Plan(Generic[N]):
             along = once_round(along, round_)
             yield along
             yield along - round_
+
+
+def overlap(string: String[N], along: N, place: Place[N]) -> N:
+    """How much of a body is over a string along which its left border is so far; less than 0 beside it."""
+    return lesser(along + place.width, string.row.length) - greater(along, zero_like(along))
 
 
 def edge_position(row: Row[N], along: N, side: Direction) -> EdgePosition[N]:
@@ -185,6 +196,7 @@ def check_plan(level: Level[Fraction]) -> None:
     for index, edge in enumerate(level.graph.edges):
         check_edge(level, index, edge)
     check_floor(level)
+    check_walls(level)
     check_ends(level)
     check_bodies(level)
 
@@ -229,6 +241,17 @@ def check_floor(level: Level[Fraction]) -> None:
     if not closed:
         where = f"between {floor[0].right} and {floor[1].left}" if len(floor) > 1 else "at an end"
         raise LevelError("$.vertices", f"expected a closed floor, there is none {where}")
+
+
+def check_walls(level: Level[Fraction]) -> None:
+    """Refuse walls thinner than the margin: bodies on both sides would be nearer to each other than that."""
+    for storey in plan_of(level).terrain.solid:
+        for wall in storey:
+            if wall.right - wall.left < level.margin:
+                edges = [edge for edge in grounds_of(level) if level.graph.vertices[edge.left].x == wall.left]
+                vertex = max(edges, key=lambda edge: level.graph.vertices[edge.left].y).left
+                expected = f"expected a wall at least as thick as the margin, got {wall.right - wall.left}"
+                raise LevelError(f"$.vertices[{vertex}]", expected)
 
 
 def check_ends(level: Level[Fraction]) -> None:

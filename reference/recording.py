@@ -15,7 +15,7 @@ from reference.formats.numbers import number_text
 from reference.formats.scenario import DriveRecord, RequestRecord, TickRecord, check_step
 from reference.formats.trace import EventRecord, HeaderRecord, LineRecord, MoveRecord, PlaceRecord, check_line
 from reference.play import ONE_BY_ONE, Played, Playing, format_of, play, profile_of
-from reference.simulator import Fulfilled
+from reference.simulator import Fulfilled, Happened
 from reference.world import LevelError, World, standing
 from spec.body import Body, Level
 from spec.profiles import AnyProfile, SteppedProfile
@@ -132,10 +132,15 @@ def event_records(step: Played[Any], events: dict[str, str]) -> Iterator[EventRe
     """What happened in a step as it stands in a trace; with its time, where all bodies move at once."""
     for move in step.moves:
         for one in move.happened or ():
-            speeds = {name: number_text(speed) for name, speed in one.velocities.items()}
-            yield EventRecord(one.body, events[one.rule], one.rule, number_text(one.time), speeds, one.other)
+            yield event_record(one, events)
         if move.happened is None:
             yield from (EventRecord(body, events[rule], rule) for body, rule in move.fired if rule in events)
+
+
+def event_record(one: Happened[Any], events: dict[str, str]) -> EventRecord:
+    """What happened at an instant as it stands in a trace."""
+    speeds = {name: number_text(speed) for name, speed in one.velocities.items()}
+    return EventRecord(one.body, events[one.rule], one.rule, number_text(one.time), speeds, one.other)
 
 
 def move_record(move: Fulfilled[Any]) -> MoveRecord:

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Container, Iterator, Mapping
 from dataclasses import dataclass, field, replace
+from fractions import Fraction
 from typing import Any, Generic
 
+from reference.formats.numbers import exact
+from reference.formats.scenario import StepRecord
 from reference.plan import plan_of
-from reference.simulator import MOST_FIRED, Endless, Fulfilled, Happened
+from reference.simulator import Endless, Fulfilled, Happened
 from reference.storeys import StoreyWorld
 from reference.world import World
 from spec.body import Level
@@ -19,12 +22,28 @@ from spec.rules.settle import Change
 from spec.rules.step import Event, Moment, StepRules, step
 from spec.storeys import Contact, Drive, Seat
 
+MOST_CHOSEN = 10_000_000
+
 COMING = ("event/contact", "event/wall", "event/support-lost")
 """The rules that say when something comes: they have fired when it has come."""
 
+STANDING = frozenset(
+    (
+        "settle/stay",
+        "wish/carried",
+        "row/own",
+        "row/passes-on",
+        "row/passes-nothing",
+        "row/one-way",
+        "way/open",
+        "way/wall",
+    )
+)
+"""The rules by which a body stands that nothing moves: of such a body nothing is told."""
+
 
 @dataclass
-class StepRecord:
+class Chosen:
     """The rules that fired in a step, each with its body, once; `most` is how often rules may be chosen."""
 
     most: int
@@ -41,13 +60,18 @@ class StepRecord:
         if self.chosen > self.most:
             raise Endless(f"expected a step that ends, more than {self.most} rules fired")
 
+    def told(self, moving: Container[int]) -> Iterator[tuple[int, str]]:
+        """What fired, but for bodies that neither moved nor did more than stand."""
+        active = {body for body, rule in self.fired if body in moving or rule not in STANDING}
+        return (pair for pair in self.fired if pair[0] in active)
+
 
 @dataclass(frozen=True)
 class Noted:
     """A family whose choices are written into a record."""
 
     family: Chooser
-    record: StepRecord
+    record: Chosen
 
     def choose(self, facts: Any) -> AnyRule:
         """Return the rule that applies, recorded."""
@@ -59,14 +83,14 @@ class Noted:
 
 
 def run(
-    rules: StepRules, world: StoreyWorld[N], drives: Mapping[int, Drive[N]], duration: N, most: int = MOST_FIRED
-) -> tuple[list[Moment[N]], StepRecord]:
+    rules: StepRules, world: StoreyWorld[N], drives: Mapping[int, Drive[N]], duration: N, most: int = MOST_CHOSEN
+) -> tuple[list[Moment[N]], Chosen]:
     """Drive the bodies of a world for a time; return what came, and the rules that fired.
 
     Raises:
         Endless: if rules are chosen more than `most` times.
     """
-    record = StepRecord(most)
+    record = Chosen(most)
     noted = rules.through(lambda family: Noted(family, record))
     moments = []
     for moment in step(noted, world, drives, duration):
@@ -105,7 +129,7 @@ class StepGame(Generic[N]):
 
     profile: SteppedProfile
     level: Level[N]
-    most: int = MOST_FIRED
+    most: int = MOST_CHOSEN
 
     def __post_init__(self) -> None:
         """Set the level up."""
@@ -116,37 +140,24 @@ class StepGame(Generic[N]):
 
     def request(self, body: str, distance: N) -> Fulfilled[N]:
         """Drive one body at unit speed for as long as a signed distance, positive to the right."""
-        zero = zero_like(distance)
-        one, handle = unit(distance), self.names.index(body)
-        speed = one * -1 if distance < zero else one
-        alone = Drive(speed, relative=not self.level.bodies[handle].speed)
-        return self.step({handle: alone}, greater(distance, zero - distance))[0]
+        return self.step(*of_request(self.level, body, distance))[0]
 
     def tick(self, direction: Direction) -> list[Fulfilled[N]]:
         """One tick with one key held: each character walks at its speed (R1, R4)."""
-        walking = {
-            handle: Drive(body.speed * direction, relative=False)
-            for handle, body in enumerate(self.level.bodies)
-            if body.speed
-        }
-        return self.step(walking, self.level.tick)
+        return self.step(*of_tick(self.level, direction))
 
     def drive(self, speeds: Mapping[str, N], duration: N) -> list[Fulfilled[N]]:
         """Drive bodies for a time: characters in the plane, boxes relative to what they stand on."""
-        driven = {}
-        for name, speed in speeds.items():
-            handle = self.names.index(name)
-            driven[handle] = Drive(speed, relative=not self.level.bodies[handle].speed)
-        return self.step(driven, duration)
+        return self.step(*of_drive(self.level, speeds, duration))
 
     def step(self, driven: Mapping[int, Drive[N]], duration: N) -> list[Fulfilled[N]]:
         """Drive some bodies for a time; what came of it is told with the first of them."""
         still = {body: Drive(zero_like(duration)) for body in range(len(self.names))}
         moments, record = run(self.profile.rules, self.storeys, {**still, **driven}, duration, self.most)
         self.world = World(replace(self.level, bodies=self.plan.bodies(self.storeys)))
-        fired = tuple((self.names[body], rule) for body, rule in record.fired)
-        happened = tuple(told(self.names, duration, moments))
         movers = {body for moment in moments for body, speed in moment.velocities.items() if speed * moment.moved}
+        fired = tuple((self.names[body], rule) for body, rule in record.told({*driven, *movers}))
+        happened = tuple(told(self.names, duration, moments))
         work = {"events": sum(len(moment.events) for moment in moments), "choices": record.chosen}
         results = []
         for body, drive in driven.items():
@@ -155,6 +166,39 @@ class StepGame(Generic[N]):
             results.append(Fulfilled(self.names[body], asked, moved, fired, max(1, len(movers)), work, happened))
             fired, happened, work = (), (), {}
         return results
+
+
+Driven = tuple[dict[int, Drive[N]], N]
+"""Who is driven how, and for how long."""
+
+
+def of_request(level: Level[N], body: str, distance: N) -> Driven[N]:
+    """What a request is as a step."""
+    zero, one = zero_like(distance), unit(distance)
+    return of_drive(level, {body: one * -1 if distance < zero else one}, greater(distance, zero - distance))
+
+
+def of_tick(level: Level[N], direction: Direction) -> Driven[N]:
+    """What a tick is as a step."""
+    return of_drive(level, {body.name: body.speed * direction for body in level.bodies if body.speed}, level.tick)
+
+
+def of_drive(level: Level[N], speeds: Mapping[str, N], duration: N) -> Driven[N]:
+    """What it is to drive some bodies: characters in the plane, boxes relative to what they stand on."""
+    handles = {body.name: handle for handle, body in enumerate(level.bodies)}
+    boxes = {body.name for body in level.bodies if not body.speed}
+    return {handles[name]: Drive(speed, relative=name in boxes) for name, speed in speeds.items()}, duration
+
+
+def of_step(level: Level[Fraction], asked: StepRecord) -> Driven[Fraction]:
+    """What a step of a scenario is, in exact numbers."""
+    if asked.request is not None:
+        return of_request(level, asked.request.body, exact(asked.request.distance, "$"))
+    if asked.tick is not None:
+        return of_tick(level, Direction[asked.tick.key.upper()])
+    assert asked.drive is not None
+    speeds = {name: exact(speed, "$") for name, speed in asked.drive.speeds.items()}
+    return of_drive(level, speeds, exact(asked.drive.time, "$"))
 
 
 def unit(like: Any) -> Any:

@@ -97,7 +97,7 @@ OF_STOREYS: tuple[Model, ...] = (
         "model/solid",
         "What is solid on a storey is a wall to the bodies on it, and ground to those on the storey above; above the "
         "floor there is no other ground. On a line both ends of the level are walls on every storey; on a cylinder "
-        "there are no ends, and places are counted modulo the circumference.",
+        "there are no ends, and places are counted modulo the circumference. No wall is thinner than the margin.",
         "6.2.1b, 6.1.3; R19, A42, A58",
         "repaired-exact-pit",
     ),
@@ -149,8 +149,8 @@ OF_STOREYS: tuple[Model, ...] = (
         "left to right: each body's speed to the right is its own or a greater one that the body on its left passes "
         "to it (row/own, row/pushed), and it passes its speed on, or 0 (row/passes-on, row/passes-nothing). Likewise "
         "to the left, from right to left. A body with speeds greater than 0 both ways is squeezed (row/squeezed), so "
-        "is all of a row that closes on itself (row/ring): from here on their wish is 0, and they pass nothing on. "
-        "With that, wishes are passed on once more, and now a body has a speed one way at most. At last, for each "
+        "is all of a row that closes on itself (row/ring): from here on their wish is 0, they pass nothing on, and "
+        "there is a wall to them on both sides. With that, wishes are passed on once more. At last, for each "
         "direction, from the front-most body backwards, each speed is cut to what the wall, or the body in contact "
         "ahead, lets it (way); the speed ahead that counts is the one in that direction, at least 0. The velocity is "
         "the speed to the right less the speed to the left.",
@@ -168,12 +168,12 @@ OF_STOREYS: tuple[Model, ...] = (
     ),
     Model(
         "model/settling",
-        "Settling looks at the bodies once, lowest storey first, so that a rider looks after what carries it, and on "
-        "a storey from left to right, on a cylinder by their left borders from place 0 on. A body that has lost its "
-        "support, or whose support is no longer one storey below it, looks for another (settle), and where it falls, "
-        "again from the storey below. A support that it has moved off at this instant does not count; one that has "
-        "fallen counts where it is again one storey below. Its motion is its velocity less that of the support it "
-        "lost, both as they were up to now; at the beginning of a step it is 0. Settling takes no time.",
+        "Settling looks at the bodies once, lowest storey first, so that a rider looks after what carries it. A body "
+        "that has lost its support, or whose support is no longer one storey below it, looks for another (settle), "
+        "and where it falls, again from the storey below. A support that it has moved off at this instant does not "
+        "count; one that has fallen counts where it is again one storey below. Its motion is its velocity less that "
+        "of the support it lost, both as they were up to now; at the beginning of a step it is 0. Settling takes no "
+        "time.",
         "6.2.1d, 6.2.1e; R21, R22, R23, A4, A28, A48, P8",
         "repaired-support-falls",
     ),

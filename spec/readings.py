@@ -297,7 +297,7 @@ OF_STOREYS: tuple[Reading[None], ...] = (
     reading(
         "repaired/opposite-wishes",
         "Opposite wishes stall each other, whatever the speeds; so does a box that is carried slowly against a fast "
-        "walker. Of the two in contact, one that may not push stalls nobody: it is pushed back.",
+        "walker.",
         "6.2.1c; A2, P6",
         "the faster wins; the difference of the speeds is left",
         "repaired-squeezed",
@@ -358,9 +358,10 @@ OF_STOREYS: tuple[Reading[None], ...] = (
     ),
     reading(
         "repaired/thin-wall",
-        "Two bodies with a wall between them are no neighbours, however thin it is: they need not keep the margin.",
+        "Two bodies with a wall between them are no neighbours, so that none pushes the other through it. A level with "
+        "a wall thinner than the margin is refused.",
         "6.2.1; A9, A12",
-        "the margin is kept through walls",
+        "bodies collide through walls",
         "repaired-thin-wall",
     ),
     reading(

@@ -160,7 +160,7 @@ def test_itf_has_a_state_for_the_start_and_one_for_each_step_with_exact_numbers(
 
 def test_itf_of_floats_has_their_exact_binary_values_and_names_what_a_trace_leaves_out(tmp_path):
     header, first, *_ = map(json.loads, traced(library()[0], "--floats"))
-    bare = {key: first[key] for key in ("request", "tick", "bodies") if key in first}
+    bare = {key: first[key] for key in ("request", "tick", "drive", "bodies") if key in first}
     bare["bodies"][0]["left"]["location"] = 0.1
     (tmp_path / "trace.jsonl").write_text(f"{json.dumps(header)}\n{json.dumps(bare)}\n")
     state = json.loads(graphbody("itf", tmp_path / "trace.jsonl").stdout)["states"][1]
@@ -221,7 +221,7 @@ def test_the_examples_on_the_page_are_as_the_schemas_say_and_do_what_the_page_sa
 def test_the_trace_on_the_page_is_that_of_the_scenario_in_floats():
     steps = play(Path("scenario.json"), floats=True).steps
     for line, step in zip(recording(Path("trace.jsonl")).lines, steps, strict=True):
-        assert type(line.request or line.tick) is type(step.asked)
+        assert type(line.asked.asked[0]) is type(step.asked)
         for place, body in zip(line.bodies, step.bodies, strict=True):
             assert (place.left.edge, place.right.edge) == (body.left.edge, body.right.edge)
             assert (place.left.location, place.right.location) == (body.left.location, body.right.location)

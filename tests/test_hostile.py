@@ -344,7 +344,7 @@ def test_a_bad_level_is_refused_wherever_it_is(tmp_path, command, content, expec
         ),
         ({"steps": [{"tick": {"key": "up"}}]}, r"\$\.steps\[0\]\.tick\.key: expected left or right, got 'up'"),
         ({"steps": [{"tick": {"key": "left", "times": 60_000}}] * 2}, r"\$\.steps\[1\]: expected at most 100000"),
-        ({"profile": "x" * 100_000}, r"\$\.profile: expected one of thesis, thesis/overshoot, got 'xxx"),
+        ({"profile": "x" * 100_000}, r"\$\.profile: expected one of thesis, thesis/overshoot, repaired, got 'xxx"),
         ({"level": "."}, r"Is a directory"),
         ({"level": "\x00"}, r"embedded null byte"),
         ({"level": "x" * 256}, r"\$\.level: Expected"),

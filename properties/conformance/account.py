@@ -8,10 +8,10 @@ from shlex import quote
 
 import msgspec
 
-from properties.conformance.diagnosis import Conjunct, Diagnosis
+from properties.conformance.diagnosis import Conjunct, Diagnosis, Trouble
 from properties.conformance.judge import Finding
 from properties.conformance.record import ConjunctRecord, TroubleRecord, ValidationRecord
-from properties.conformance.validate import Report, Trouble
+from properties.conformance.validate import Report
 from properties.evidence.files import BUILD
 from reference.formats.files import FormatError, one_line, write
 from reference.formats.trace import LineRecord
@@ -121,14 +121,24 @@ def account_of_trouble(trouble: Trouble) -> Iterator[str]:
             yield f"  {difference}"
     if trouble.rounded:
         yield "  in float64 this would be within the tolerance: are the numbers of the trace really exact?"
+    yield from account_of_story(trouble.story if diagnosis is None else diagnosis.story)
     if diagnosis is not None:
         yield from account_of_diagnosis(diagnosis)
+
+
+def account_of_story(story: tuple[str, ...]) -> Iterator[str]:
+    """What the rules do in a step, as lines of text."""
+    yield from (f"  by the rules: {line}" for line in story[:MOST_LINES])
+    if len(story) > MOST_LINES:
+        yield f"  by the rules: and {len(story) - MOST_LINES} more"
 
 
 def what_was_asked(line: LineRecord) -> str:
     """What a line asks for, in words."""
     if line.request is not None:
         return f"{line.request.body} asked {line.request.distance}"
+    if line.drive is not None:
+        return f"{', '.join(line.drive.speeds) or 'nobody'} driven for {line.drive.time}"
     assert line.tick is not None
     return f"key {line.tick.key}"
 
@@ -136,9 +146,6 @@ def what_was_asked(line: LineRecord) -> str:
 def account_of_diagnosis(diagnosis: Diagnosis) -> Iterator[str]:
     """Rules, and their guards, as lines of text."""
     decision, instead = diagnosis.decision, diagnosis.instead
-    yield from (f"  by the rules: {line}" for line in diagnosis.story[:MOST_LINES])
-    if len(diagnosis.story) > MOST_LINES:
-        yield f"  by the rules: and {len(diagnosis.story) - MOST_LINES} more"
     if decision is None:
         yield f"  no rule was to move {diagnosis.difference.body}: nothing was asked of it"
     else:

@@ -8,9 +8,10 @@ from fractions import Fraction
 from itertools import islice
 from typing import Any
 
-from properties.conformance.judge import Difference, Expected, Judgement, displaced, expect
+from properties.conformance.judge import Difference, Expected, Finding, Judgement, displaced, expect
 from properties.conformance.log import Step
 from reference.formats.numbers import readable
+from reference.formats.scenario import ScenarioRecord
 from reference.recording import events_of
 from reference.simulator import Endless
 from spec.profiles import OF_REQUESTS, Profile
@@ -190,3 +191,22 @@ def decisions_for(expected: Expected, notebook: Notebook, name: str) -> list[Dec
     bodies = expected.world.bodies
     pairs = zip(fired, notebook.decisions, strict=True)
     return [decision for body, decision in pairs if bodies[body].name == name]
+
+
+@dataclass(frozen=True)
+class Trouble:
+    """The first step of a log that diverges, or is ambiguous, and all that can be said of it.
+
+    Attributes:
+        diagnosis: which rule, where bodies move one after another.
+        story: what happened by the rules, where they move all at once.
+        rounded: whether it is in exact numbers, and would be right to within the roundings of floats.
+    """
+
+    step: Step
+    finding: Finding
+    differences: tuple[Difference, ...]
+    diagnosis: Diagnosis | None
+    scenario: ScenarioRecord | None
+    rounded: bool = False
+    story: tuple[str, ...] = ()

@@ -7,11 +7,13 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from pathlib import Path
+from typing import Protocol
 
-from properties.conformance.diagnosis import Diagnosis, diagnose
+from properties.conformance.diagnosis import Trouble, diagnose
 from properties.conformance.judge import Difference, Finding, Judgement, judge
 from properties.conformance.log import (
     Grid,
+    Request,
     Step,
     grid_of,
     requests_of,
@@ -19,37 +21,24 @@ from properties.conformance.log import (
 )
 from properties.conformance.minimise import Reduction
 from properties.conformance.said import of_the_events, of_the_grid, of_the_moves, of_the_state
+from properties.conformance.stepping import OfSteps
 from reference.formats.files import FormatError, one_line
-from reference.formats.scenario import ScenarioRecord
 from reference.formats.trace import LineRecord
+from reference.plan import check_plan, plan_of
 from reference.recording import Recording, read_trace, state_after
 from reference.rounding import tolerance as rounding
 from reference.simulator import Endless
 from reference.world import LevelError, World
+from spec.body import Level
 from spec.graph import Direction, EdgeType
 from spec.invariants import NO_OVERLAP, RIGID_WIDTH, Deed, Invariant
 from spec.plane import APART, NEVER_RAISED, PLANE_MARGIN, TERRAIN
-from spec.profiles import OF_REQUESTS, Profile
+from spec.profiles import Profile
 
 OF_STRINGS: tuple[Invariant, ...] = (NO_OVERLAP, RIGID_WIDTH)
 IN_PLANE: tuple[Invariant, ...] = (APART, PLANE_MARGIN, TERRAIN)
 MOST_IN_PLANE = 32
 ANY_SLACK = Fraction(1, 100)
-
-
-@dataclass(frozen=True)
-class Trouble:
-    """The first step of a log that diverges, or is ambiguous, and all that can be said of it.
-
-    `rounded`: whether it is in exact numbers, and would be right to within the roundings of floats.
-    """
-
-    step: Step
-    finding: Finding
-    differences: tuple[Difference, ...]
-    diagnosis: Diagnosis | None
-    scenario: ScenarioRecord | None
-    rounded: bool = False
 
 
 @dataclass(frozen=True)
@@ -107,19 +96,14 @@ def validate(path: Path) -> Report:
         Crash: if this program fails.
     """
     log = read_trace(path)
-    if not isinstance(log.profile, Profile):
-        expected = (
-            f"expected one of {', '.join(OF_REQUESTS)}, got {log.profile.name!r}, of which no trace is judged yet"
-        )
-        raise FormatError(f"{path}:1: $.profile: {expected}")
-    profile, report = log.profile, Report(path, log.profile.name)
+    report = Report(path, log.profile.name)
     try:
-        grid = grid_of(log)
+        grid, referee = grid_of(log), referee_of(log)
     except LevelError as error:
         raise FormatError(one_line(f"{path}:1: {error}")) from None
     try:
-        for step in steps_of(path, log, profile):
-            look_at(step, log, profile, grid, report)
+        for step in steps_of(path, log, referee):
+            look_at(step, log, referee, grid, report)
     except Endless as error:
         report.unread = f"{path}:{step.number}: $: {error}"
     except FormatError as error:
@@ -133,7 +117,19 @@ def validate(path: Path) -> Report:
     return report
 
 
-def steps_of(path: Path, log: Recording, profile: Profile) -> Iterator[Step]:
+def referee_of(log: Recording) -> Referee:
+    """Who judges a log of its profile.
+
+    Raises:
+        LevelError: if the level is not one that the profile is about.
+    """
+    if isinstance(log.profile, Profile):
+        return OfRequests(log.level, log.profile)
+    check_plan(log.level)
+    return OfSteps(plan_of(log.level), log.profile)
+
+
+def steps_of(path: Path, log: Recording, referee: Referee) -> Iterator[Step]:
     """The steps of a log, one after another.
 
     Raises:
@@ -142,7 +138,7 @@ def steps_of(path: Path, log: Recording, profile: Profile) -> Iterator[Step]:
     """
     state = World(log.level)
     for number, line in enumerate(log.lines, start=2):
-        asked, after = requests_of(log.level, profile, line), world_after(log, line, f"{path}:{number}")
+        asked, after = referee.asked(line), world_after(log, line, f"{path}:{number}")
         yield Step(number, state, asked, line, after)
         state = after
 
@@ -159,23 +155,62 @@ def world_after(log: Recording, line: LineRecord, where: str) -> World[Fraction]
         raise StateError(one_line(f"{where}: {error}")) from None
 
 
-def look_at(step: Step, log: Recording, profile: Profile, grid: Grid | None, report: Report) -> None:
+class Referee(Protocol):
+    """Who judges the steps of a log."""
+
+    def asked(self, line: LineRecord, /) -> tuple[Request, ...]:
+        """Who was to move how far in a step."""
+
+    def judge(self, step: Step, tolerance: Fraction, /) -> tuple[Judgement, list[Difference]]:
+        """What was found of a step, and what its line says of it that is not so."""
+
+    def trouble(self, step: Step, log: Recording, judgement: Judgement, tolerance: Fraction, /) -> Trouble:
+        """All that can be said of a step that diverges."""
+
+
+@dataclass(frozen=True)
+class OfRequests:
+    """Who judges steps in which bodies move one after another."""
+
+    level: Level[Fraction]
+    profile: Profile
+
+    def asked(self, line: LineRecord) -> tuple[Request, ...]:
+        """The requests of a line, in order."""
+        return requests_of(self.level, self.profile, line)
+
+    def judge(self, step: Step, tolerance: Fraction) -> tuple[Judgement, list[Difference]]:
+        """Where the bodies are, and what the line says of its requests; of rules where they are known."""
+        judgement = judge(self.profile, step.before, step.asked, step.after, tolerance)
+        said: list[Difference] = []
+        if judgement.finding in (Finding.AGREES, Finding.ONE_OF_SEVERAL):
+            rules_known = judgement.finding is Finding.AGREES and not tolerance and in_one_order(step.before)
+            said += of_the_moves(step.line, step.asked, judgement.expected, tolerance, rules_known)
+            said += of_the_events(step.line, self.profile, judgement.expected) if rules_known else ()
+        return judgement, said
+
+    def trouble(self, step: Step, log: Recording, judgement: Judgement, tolerance: Fraction) -> Trouble:
+        """Which rule diverges, and the step as a small scenario."""
+        diagnosis = diagnose(self.profile, step, judgement, tolerance)
+        slack = diagnosis.difference.apart / 4 or ANY_SLACK
+        reduction = Reduction(self.profile, step, diagnosis.difference.body, judgement.expected, slack)
+        note = f"Line {step.number} of {log.header.name} has {diagnosis.difference}."
+        scenario = reduction.smallest(f"line-{step.number}", note)
+        return Trouble(step, judgement.finding, judgement.differences, diagnosis, scenario)
+
+
+def look_at(step: Step, log: Recording, referee: Referee, grid: Grid | None, report: Report) -> None:
     """Judge a step; explain it if it is the first of its kind."""
     tolerance = tolerance_of(log.header, log.level, step.asked)
-    judgement = judge(profile, step.before, step.asked, step.after, tolerance)
+    judgement, said = referee.judge(step, tolerance)
     finding, differences = judgement.finding, judgement.differences
-    said = [*of_the_grid(step, grid), *of_the_state(step.line, step.after, tolerance)]
-    if finding in (Finding.AGREES, Finding.ONE_OF_SEVERAL):
-        rules_known = finding is Finding.AGREES and not tolerance and in_one_order(step.before)
-        said += of_the_moves(step.line, step.asked, judgement.expected, tolerance, rules_known)
-        said += of_the_events(step.line, profile, judgement.expected) if rules_known else ()
+    said = [*of_the_grid(step, grid), *of_the_state(step.line, step.after, tolerance), *said]
     if said and finding is not Finding.DIVERGES:
         finding, differences = Finding.DIVERGES, tuple(said)
     report.found[finding] += 1
     if finding in (Finding.DIVERGES, Finding.AMBIGUOUS) and report.first is None:
-        report.first = trouble(
-            step, log, profile, replace(judgement, finding=finding, differences=differences), tolerance
-        )
+        found = replace(judgement, finding=finding, differences=differences)
+        report.first = trouble(step, log, referee, found, tolerance)
     for invariant in broken_by(step, tolerance):
         report.broken.setdefault(invariant.id, Breach(step.number, allowed=finding is not Finding.DIVERGES))
 
@@ -186,19 +221,14 @@ def in_one_order(world: World[Fraction]) -> bool:
     return len(set(begins)) == len(begins)
 
 
-def trouble(step: Step, log: Recording, profile: Profile, judgement: Judgement, tolerance: Fraction) -> Trouble:
+def trouble(step: Step, log: Recording, referee: Referee, judgement: Judgement, tolerance: Fraction) -> Trouble:
     """All that can be said of a step that diverges."""
     moved = [difference for difference in judgement.differences if difference.field in ("left", "right")]
     if not moved:
         return Trouble(step, judgement.finding, judgement.differences, None, None)
-    diagnosis = diagnose(profile, step, judgement, tolerance)
-    slack = diagnosis.difference.apart / 4 or ANY_SLACK
-    reduction = Reduction(profile, step, diagnosis.difference.body, judgement.expected, slack)
-    note = f"Line {step.number} of {log.header.name} has {diagnosis.difference}."
-    scenario = reduction.smallest(f"line-{step.number}", note)
     in_floats = rounding("float64", log.level, *(distance for _, _, distance in step.asked))
     rounded = not tolerance and all(0 < difference.apart <= in_floats for difference in moved)
-    return Trouble(step, judgement.finding, judgement.differences, diagnosis, scenario, rounded)
+    return replace(referee.trouble(step, log, judgement, tolerance), rounded=rounded)
 
 
 def broken_by(step: Step, tolerance: Fraction) -> Iterator[Invariant]:

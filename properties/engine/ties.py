@@ -106,11 +106,18 @@ class Near:
     def __add__(self, other: Any) -> Near:
         return Near(self.value + value_of(other))
 
+    __radd__ = __add__
+
     def __sub__(self, other: Any) -> Near:
         return Near(self.value - value_of(other))
 
+    def __rsub__(self, other: Any) -> Near:
+        return Near(value_of(other) - self.value)
+
     def __mul__(self, other: Any) -> Near:
         return Near(self.value * value_of(other))
+
+    __rmul__ = __mul__
 
     def __truediv__(self, other: Any) -> Near:
         return Near(self.value / value_of(other))

@@ -11,6 +11,7 @@ from xml.etree.ElementTree import Element
 from reference.drawing import scene
 from reference.drawing.ink import text_width, write
 from reference.drawing.scene import Outline, Point, Window
+from reference.formats.numbers import exact
 from reference.formats.trace import LineRecord
 from reference.world import World
 
@@ -36,6 +37,8 @@ class Frame:
             return {}
         if self.line.request is not None:
             return {self.line.request.body: Fraction(self.line.request.distance)}
+        if self.line.drive is not None:
+            return {name: exact(speed, "$") for name, speed in self.line.drive.speeds.items()}
         assert self.line.tick is not None
         way = Fraction(1 if self.line.tick.key == "right" else -1)
         return {body.name: way for body in self.world.bodies if body.speed}

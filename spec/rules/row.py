@@ -170,8 +170,8 @@ def takes_part(meeting: Meeting[N]) -> Member[N]:
 
 
 def stands_still(meeting: Meeting[N]) -> Member[N]:
-    """It wishes nothing and passes nothing on."""
-    return replace(meeting.member, wish=zero_like(meeting.right), pushes=False)
+    """It wishes nothing and passes nothing on, and is held on both sides as if walls were there."""
+    return replace(meeting.member, wish=zero_like(meeting.right), pushes=False, walls=frozenset(Direction))
 
 
 MEET: AnyFamily = Family(
@@ -187,7 +187,7 @@ MEET: AnyFamily = Family(
         Rule(
             id="row/squeezed",
             sentence="A body that speeds reach from both sides, its own wish as good as another's push, is squeezed: it "
-            "wishes nothing, whatever the speeds, and passes nothing on.",
+            "stands still, whatever the speeds, as between two walls, and passes nothing on.",
             source="6.2.1c; R20, A2",
             guard=(not_closed, from_both_sides),
             effect=stands_still,

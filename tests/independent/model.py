@@ -324,8 +324,9 @@ class World:
         wishes = [ZERO if stuck else wish for wish, stuck in zip(wishes, squeezed, strict=True)]
         pushes = [may and not stuck for may, stuck in zip(pushes, squeezed, strict=True)]
         to_right, to_left = both_ways(wishes, pushes)
-        to_right = cut(to_right, [(i, 1) in self.walls for i in row])
-        to_left = cut(to_left[::-1], [(i, -1) in self.walls for i in row][::-1])[::-1]
+        to_right = cut(to_right, [stuck or (i, 1) in self.walls for i, stuck in zip(row, squeezed, strict=True)])
+        shut_left = [stuck or (i, -1) in self.walls for i, stuck in zip(row, squeezed, strict=True)]
+        to_left = cut(to_left[::-1], shut_left[::-1])[::-1]
         return [right - left for right, left in zip(to_right, to_left, strict=True)]
 
     # Events
@@ -396,8 +397,8 @@ class World:
     # Settling
 
     def settle(self, lost: set[int], now: Fraction) -> None:
-        """Let all bodies that lost their support find another, lowest storey first, each from left to right."""
-        for i in sorted(range(len(self.bodies)), key=lambda i: (self.bodies[i].storey, self.bodies[i].left)):
+        """Let all bodies that lost their support find another, lowest storey first."""
+        for i in sorted(range(len(self.bodies)), key=lambda i: self.bodies[i].storey):
             body = self.bodies[i]
             fallen = body.support is not None and self.bodies[body.support].storey != body.storey - 1
             if i in lost or fallen:

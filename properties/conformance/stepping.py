@@ -1,0 +1,242 @@
+"""The judge of steps in which all bodies move at once: whether one is allowed, from the log's own state before it.
+
+Where numbers are known nearly, the exact outcome is tried first; then every way in which ties may be broken.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from typing import Any
+
+from properties.conformance.diagnosis import Trouble
+from properties.conformance.judge import Difference, Expected, Finding, Judgement, position_text
+from properties.conformance.log import Request, Step
+from properties.conformance.minimise import with_bodies, without_needless
+from properties.conformance.said import as_json, of_the_moves
+from properties.engine.ties import TIES, Choices, Near, Ties, TooManyWays, every_way, value_of
+from reference.formats.files import FormatError
+from reference.formats.level import BodyRecord, LevelRecord, level_record, valid_level
+from reference.formats.numbers import exact, readable
+from reference.formats.scenario import ScenarioRecord
+from reference.formats.trace import EventRecord, LineRecord
+from reference.plan import Plan, check_plan
+from reference.recording import Recording, event_record, events_of
+from reference.simulator import Happened
+from reference.stepping import StepGame, of_step, run, told
+from reference.storeys import Interval, StoreyWorld, Terrain, once_round
+from reference.world import LevelError, World
+from spec.graph import Direction
+from spec.profiles import SteppedProfile
+from spec.storeys import Drive
+
+MOST_WAYS = 500
+MOST_CHOICES = 100_000
+
+Drives = Mapping[int, Drive[Fraction]]
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """What came of a step: the storeys after it, how far each body moved, what happened."""
+
+    storeys: StoreyWorld[Any]
+    moved: Mapping[int, Fraction]
+    happened: tuple[Happened[Any], ...]
+
+
+@dataclass(frozen=True)
+class OfSteps:
+    """Who judges steps in which bodies move all at once: the plan of a log's level, and the profile."""
+
+    plan: Plan[Fraction]
+    profile: SteppedProfile
+
+    def asked(self, line: LineRecord) -> tuple[Request, ...]:
+        """How far each driven body would come if nothing were in its way."""
+        drives, time = of_step(self.plan.level, line.asked)
+        return tuple((body, way(drive.speed), abs(drive.speed) * time) for body, drive in drives.items())
+
+    def judge(self, step: Step, tolerance: Fraction) -> tuple[Judgement, list[Difference]]:
+        """Where the bodies are after a step, and what the line says of their ways; of events in exact numbers."""
+        judgement, outcome = self.found(step, tolerance)
+        said: list[Difference] = []
+        if judgement.finding in (Finding.AGREES, Finding.ONE_OF_SEVERAL):
+            said += of_the_moves(step.line, step.asked, judgement.expected, tolerance, rules_known=False)
+            said += self.of_the_events(step.line, outcome) if not tolerance else ()
+        return judgement, said
+
+    def found(self, step: Step, tolerance: Fraction) -> tuple[Judgement, Outcome]:
+        """What was found of a step, and what came of it by the rules."""
+        before, seen = self.storeys(step.before), self.storeys(step.after)
+        outcome = self.outcome(before, step.line)
+        differences = tuple(self.displaced(outcome.storeys, seen, tolerance, step.after))
+        finding = Finding.AGREES
+        if differences:
+            finding, outcome = self.among_all_ways(step, before, seen, tolerance, outcome)
+        world = World(replace(self.plan.level, bodies=self.plan.bodies(exactly(outcome.storeys))))
+        moved = tuple(outcome.moved[body] for body, _, _ in step.asked)
+        return Judgement(finding, Expected(world, moved, ()), differences), outcome
+
+    def trouble(self, step: Step, log: Recording, judgement: Judgement, tolerance: Fraction) -> Trouble:
+        """What happened by the rules, and the step as a small scenario."""
+        first = judgement.differences[0]
+        note = f"Line {step.number} of {log.header.name} has {first}."
+        scenario = self.scenario(step, first.body, f"line-{step.number}", note)
+        happened = self.outcome(self.storeys(step.before), step.line).happened
+        story = tuple(f"at {readable(one.time)}: {one.body} {one.rule} {one.other or ''}".strip() for one in happened)
+        return Trouble(step, judgement.finding, judgement.differences, None, scenario, story=story)
+
+    def storeys(self, world: World[Fraction]) -> StoreyWorld[Fraction]:
+        """The storeys of a state."""
+        places = [self.plan.place(world, body) for body in world.handles()]
+        return StoreyWorld(self.plan.terrain, self.plan.level.margin, places)
+
+    def outcome(self, before: StoreyWorld[Any], line: LineRecord) -> Outcome:
+        """What the rules make of a step."""
+        driven, time = of_step(self.plan.level, line.asked)
+        names = [body.name for body in self.plan.level.bodies]
+        drives = {body: Drive(Fraction(0)) for body in range(len(names))} | dict(driven)
+        after = before.copy()
+        moments, _ = run(self.profile.rules, after, drives, time + before.margin * 0, MOST_CHOICES)
+        moved = {body: sum((m.velocities[body] * value_of(m.moved) for m in moments), Fraction(0)) for body in drives}
+        return Outcome(after, moved, tuple(told(names, time, moments)))
+
+    def among_all_ways(
+        self, step: Step, before: StoreyWorld[Any], seen: StoreyWorld[Any], tolerance: Fraction, first: Outcome
+    ) -> tuple[Finding, Outcome]:
+        """Whether the bodies are where they may be if ties are broken in another way, and what happened then."""
+        near, drives = nearly(before), of_step(self.plan.level, step.line.asked)[0]
+
+        def one_way(choices: Choices) -> Outcome:
+            token = TIES.set(Ties(tolerance * slowest(drives), choices))
+            try:
+                return self.outcome(near, step.line)
+            finally:
+                TIES.reset(token)
+
+        try:
+            for outcome in every_way(one_way, MOST_WAYS) if tolerance else ():
+                if not any(self.displaced(exactly(outcome.storeys), seen, tolerance, step.after)):
+                    return Finding.ONE_OF_SEVERAL, outcome
+        except TooManyWays:
+            return Finding.AMBIGUOUS, first
+        return Finding.DIVERGES, first
+
+    def displaced(
+        self, expected: StoreyWorld[Any], seen: StoreyWorld[Any], tolerance: Fraction, after: World[Fraction]
+    ) -> Iterator[Difference]:
+        """The bodies that are seen elsewhere, or on something else, than they are expected to be."""
+        bodies = self.plan.bodies(expected)
+        for body, (one, two) in enumerate(zip(expected.places, seen.places, strict=True)):
+            apart = abs(short_way(one.left - two.left, self.plan.terrain.circumference))
+            same = one.storey == two.storey and one.support == two.support
+            for side, off in (("left", apart), ("right", abs(apart + one.width - two.width))):
+                if not same or off > tolerance:
+                    texts = [
+                        position_text(level, getattr(held, side))
+                        for level, held in ((self.plan.level, bodies[body]), (after.level, after.bodies[body]))
+                    ]
+                    yield Difference(bodies[body].name, side, texts[0], texts[1], off if same else Fraction(0))
+
+    def of_the_events(self, line: LineRecord, outcome: Outcome) -> Iterator[Difference]:
+        """What a line says of its events, and is not so."""
+        if line.events is None:
+            return
+        events = events_of(self.profile)
+        right = [event_record(one, events) for one in outcome.happened]
+        for i, (told_, one) in enumerate(zip(line.events, right, strict=False)):
+            if wrong := event_text(told_, one):
+                yield Difference(told_.body, f"events[{i}]", *wrong)
+                return
+        if len(line.events) != len(right):
+            yield Difference("", "events", f"{len(right)} events", f"{len(line.events)} events")
+
+    def scenario(self, step: Step, body: str, name: str, note: str) -> ScenarioRecord | None:
+        """The step as a scenario, without the bodies that do not matter to where one comes to be."""
+        level = level_record(replace(self.plan.level, bodies=step.before.level.bodies, buttons=()), name)
+        end = self.end(level, step.line, body)
+        driven = {self.plan.level.bodies[one].name for one, _, _ in step.asked}
+        if end is None:
+            return None
+
+        def needs_only(bodies: list[BodyRecord]) -> bool:
+            return self.end(with_bodies(level, bodies), step.line, body) == end
+
+        level = with_bodies(level, without_needless(level.bodies, needs_only, {body, *driven}))
+        return ScenarioRecord("graphbody/scenario@1", name, level, [step.line.asked], self.profile.name, note=note)
+
+    def end(self, record: LevelRecord, line: LineRecord, body: str) -> tuple[int, Fraction, str | None] | None:
+        """Where a body of a level comes to be: storey, left border, on whose top; None if it cannot be played."""
+        try:
+            level = valid_level(record, "$")
+            check_plan(level)
+        except (FormatError, LevelError):
+            return None
+        game = StepGame(self.profile, level, MOST_CHOICES)
+        game.step(*of_step(level, line.asked))
+        place = game.storeys.places[game.names.index(body)]
+        return place.storey, place.left, None if place.support is None else game.names[place.support]
+
+
+def short_way(distance: Fraction, circumference: Fraction | None) -> Fraction:
+    """A distance; on a ring the short way round."""
+    if circumference is None:
+        return distance
+    around = once_round(distance, circumference)
+    return around if around * 2 <= circumference else around - circumference
+
+
+def way(speed: Fraction) -> Direction:
+    """The direction of a speed."""
+    return Direction.LEFT if speed < 0 else Direction.RIGHT
+
+
+def slowest(drives: Drives) -> Fraction:
+    """How much time a distance of 1 may take at most: by the least speed, or difference of speeds, that is not 0."""
+    speeds = {Fraction(0), *(drive.speed for drive in drives.values())}
+    least = min((abs(one - two) for one in speeds for two in speeds if one != two), default=Fraction(1))
+    return max(Fraction(1), 1 / least)
+
+
+def nearly(world: StoreyWorld[Fraction]) -> StoreyWorld[Any]:
+    """The same storeys, their numbers known nearly."""
+
+    def interval(one: Interval[Fraction]) -> Interval[Any]:
+        return Interval(Near(one.left), Near(one.right))
+
+    ground = world.terrain
+    terrain: Terrain[Any] = Terrain(
+        tuple(tuple(interval(one) for one in solid) for solid in ground.solid),
+        None if ground.ends is None else interval(ground.ends),
+        None if ground.circumference is None else Near(ground.circumference),
+    )
+    other = world.copy()
+    return with_numbers(other, terrain, Near)
+
+
+def exactly(world: StoreyWorld[Any]) -> StoreyWorld[Fraction]:
+    """The same storeys, with the exact values of their places."""
+    return with_numbers(world.copy(), world.terrain, value_of)
+
+
+def with_numbers(world: StoreyWorld[Any], terrain: Terrain[Any], number: Callable[[Any], Any]) -> StoreyWorld[Any]:
+    """Storeys with places in other numbers, in the order in which they are."""
+    world.terrain, world.margin = terrain, number(world.margin)
+    world.places = [replace(one, left=number(one.left), width=number(one.width)) for one in world.places]
+    return world
+
+
+def event_text(told: EventRecord, right: EventRecord) -> tuple[str, str] | None:
+    """An event as it is and as a line tells it, where these differ; what a line leaves out is not judged."""
+    same = (told.body, told.event, told.rule) == (right.body, right.event, right.rule)
+    same &= told.time is None or exact(told.time, "$") == exact(right.time or 0, "$")
+    same &= told.velocities is None or speeds_of(told) == speeds_of(right)
+    same &= told.other is None or told.other == right.other
+    return None if same else (as_json(right), as_json(told))
+
+
+def speeds_of(event: EventRecord) -> dict[str, Fraction]:
+    """The velocities of an event."""
+    return {name: exact(speed, "$") for name, speed in (event.velocities or {}).items()}
