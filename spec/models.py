@@ -179,11 +179,13 @@ OF_STOREYS: tuple[Model, ...] = (
     ),
     Model(
         "model/positions",
-        "In files, the borders of a body on a top are that far from its left corner; of a body on the ground they are "
-        "edge positions on the first string of ground edges under it, from left to right; on a cylinder on that one of "
-        "them whose left end comes first from place 0 on. Beyond the ends both overhang. At a vertex between two edges "
-        "a left border is at the beginning of the right edge, a right border at the end of the left one. A rider's "
-        "support is named by the top that it is on.",
+        "In files, the borders of a body on a top are that far from its left corner, on a cylinder the way round on "
+        "which the middles of the two are nearer; of a body on the ground they are edge positions on the first string "
+        "of ground edges under it, from left to right; on a cylinder on that one of them whose left end comes first "
+        "from place 0 on. Beyond the ends both overhang. At a vertex between two edges a left border is at the "
+        "beginning of the right edge, a right border at the end of the left one. A rider's support is named by the top "
+        "that it is on. How far a body has moved is told in the plane; of a contact the left one of the two is told. "
+        "Events of one instant may stand in any order.",
         "4.3.1, 6.1.1; R7, R11, A56, A57",
         "repaired-front-most",
     ),

@@ -3,6 +3,7 @@
 import sys
 from collections import Counter
 from dataclasses import dataclass, field
+from itertools import pairwise
 from multiprocessing import Pool
 from pathlib import Path
 from random import Random
@@ -11,7 +12,6 @@ from typing import Any
 
 from independent.comparing import Line, by_reference, difference
 from independent.levels import scenario
-
 from reference.formats.files import FormatError
 
 PROCESSES = 2
@@ -22,7 +22,7 @@ MOST_REFUSED = 0.05
 FLOORS = {
     "falls": 0.4,
     "jumps": 0.3,
-    "rides": 0.3,
+    "rides": 0.2,
     "pushes": 0.3,
     "squeezes": 0.05,
     "contacts": 0.3,
@@ -30,7 +30,7 @@ FLOORS = {
     "stops behind a slower body": 0.1,
     "passes nothing on": 0.1,
     "rings": 0.2,
-    "closed rows": 0.01,
+    "closed rows": 0.005,
 }
 RULES = {
     "settle/fall": "falls",
@@ -72,14 +72,19 @@ def seen_in(given: dict[str, Any], lines: list[Line]) -> set[str]:
     seen = {name for rule, name in RULES.items() if rule in fired}
     if "circumference" in given["level"]:
         seen.add("rings")
-    if any(rides(line) for line in lines):
+    if any(rides(before, after) for before, after in pairwise(lines)):
         seen.add("rides")
     return seen
 
 
-def rides(line: Line) -> bool:
-    """Whether a body that nobody drives has moved and is on another."""
-    ...
+def rides(before: Line, after: Line) -> bool:
+    """Whether a body is where it was on the top of another, and that one on the ground is not where it was."""
+    earlier = {body["name"]: body for body in before["bodies"]}
+    later = {body["name"]: body for body in after["bodies"]}
+    return any(
+        later[name] == earlier[name] and later[top] != earlier[top] and top not in after["supports"]
+        for name, top in after["supports"].items()
+    )
 
 
 def main(levels: int) -> int:

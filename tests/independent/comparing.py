@@ -6,8 +6,8 @@ from pathlib import Path
 from typing import Any
 
 import msgspec
-from independent.model import simulate
 
+from independent.model import simulate
 from reference.recording import recording
 
 Line = dict[str, Any]
@@ -27,28 +27,46 @@ def by_reference(scenario: dict[str, Any], path: Path) -> list[Line]:
     return [msgspec.to_builtins(line) for line in recording(path).lines]
 
 
-def said_by_reference(line: Line) -> Said:
-    """Return what a line of the reference says."""
+def said_by_reference(line: Line, around: Fraction | None) -> Said:
+    """Return what a line of the reference says, on a cylinder of a circumference."""
     events = [(Fraction(one["time"]), one["rule"], one["body"], one.get("other", "")) for one in line["events"]]
     return {
         "moves": [(move["body"], Fraction(move["asked"]), Fraction(move["moved"])) for move in line["moves"]],
-        "bodies": {body["name"]: (position(body["left"]), position(body["right"])) for body in line["bodies"]},
+        "bodies": places(line["bodies"], around),
         "supports": line["supports"],
         "events": sorted(events),
     }
 
 
-def position(border: dict[str, Any]) -> tuple[int | str, Fraction]:
-    """Return an edge position: the number of an edge or the name of a top, and the location."""
-    return border.get("top", border.get("edge")), Fraction(border["location"])
+def places(bodies: list[dict[str, Any]], around: Fraction | None) -> dict[str, Any]:
+    """Return for each body its left and its right border."""
+    return {body["name"]: tuple(position(body[side], around) for side in ("left", "right")) for body in bodies}
+
+
+def position(border: dict[str, Any], around: Fraction | None) -> tuple[int | str, Fraction]:
+    """Return an edge position: the number of an edge or the name of a top, and the location.
+
+    On a cylinder a body can be as far from the corner of a top one way round as the other; either may be said.
+    """
+    top, location = border.get("top"), Fraction(border["location"])
+    if top is None:
+        return border["edge"], location
+    return top, location if around is None else location % around
+
+
+def circumference(scenario: dict[str, Any]) -> Fraction | None:
+    """Return the circumference of the level of a scenario, None on a line."""
+    around = scenario["level"].get("circumference")
+    return None if around is None else Fraction(around)
 
 
 def said_by_model(scenario: dict[str, Any]) -> list[Said]:
     """Return what the model says of each step."""
+    around = circumference(scenario)
     return [
         {
             "moves": [(move["body"], move["asked"], move["moved"]) for move in outcome.moves],
-            "bodies": {body["name"]: (position(body["left"]), position(body["right"])) for body in outcome.bodies},
+            "bodies": places(outcome.bodies, around),
             "supports": outcome.supports,
             "events": sorted((event.time, event.rule, event.body, event.other or "") for event in outcome.events),
         }
@@ -59,7 +77,7 @@ def said_by_model(scenario: dict[str, Any]) -> list[Said]:
 def difference(lines: list[Line], scenario: dict[str, Any]) -> str | None:
     """Return the first thing of which the model says otherwise than the lines, or None if they agree."""
     for step, (line, seen) in enumerate(zip(lines, said_by_model(scenario), strict=True), 1):
-        for what, value in said_by_reference(line).items():
+        for what, value in said_by_reference(line, circumference(scenario)).items():
             if seen[what] != value:
                 return f"step {step}, {what}: expected {plain(value)}, got {plain(seen[what])}"
     return None

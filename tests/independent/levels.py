@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 from fractions import Fraction
+from itertools import pairwise
 from random import Random
 from typing import Any
 
@@ -22,11 +23,11 @@ def scenario(random: Random, name: str) -> dict[str, Any]:
     """Return a scenario of a few steps. The reference may refuse it."""
     margin, grid = random.choice(GRIDS)
     height = random.choice(HEIGHTS)
-    circumference = grid * random.randint(20, 40) if random.random() < 0.35 else None
+    circumference = grid * random.randint(12, 40) if random.random() < 0.4 else None
     length = circumference or grid * random.randint(24, 56)
     ground = profile(random, length, grid)
     pieces = [*ground, *platforms(random, ground, length, grid)]
-    shift = grid * random.choice([0, 0, 0, 1, 7, 15])
+    shift = grid * random.choice([0, 1, 7, 15]) if circumference is None else Fraction(0)
     level = {
         "format": "graphbody/level@1",
         "name": name,
@@ -47,11 +48,11 @@ def scenario(random: Random, name: str) -> dict[str, Any]:
 
 def profile(random: Random, length: Fraction, grid: Fraction) -> list[Piece]:
     """Return pits and steps: ground from end to end, solid all the way down."""
-    cuts = sorted({grid * random.randint(1, int(length / grid) - 1) for _ in range(random.choice([0, 1, 2, 2, 3, 4, 5]))})
+    cuts = sorted(
+        {grid * random.randint(1, int(length / grid) - 1) for _ in range(random.choice([0, 1, 2, 2, 3, 4, 5]))}
+    )
     borders = [Fraction(0), *cuts, length]
-    return [
-        (left, right, random.choice([0, 0, 1, 1, 2]), None) for left, right in zip(borders, borders[1:], strict=False)
-    ]
+    return [(left, right, random.choice([0, 0, 1, 1, 2]), None) for left, right in pairwise(borders)]
 
 
 def platforms(random: Random, ground: list[Piece], length: Fraction, grid: Fraction) -> list[Piece]:
@@ -82,7 +83,7 @@ def graph(pieces: list[Piece], circumference: Fraction | None, height: Fraction,
     edges: list[dict[str, Any]] = []
     for left, right, storey, thick in sorted(pieces, key=lambda piece: piece[:3]):
         cuts = sorted({left, right, *(x for x, low in corners if low == storey and left < x < right)})
-        for start, end in zip(cuts, cuts[1:], strict=False):
+        for start, end in pairwise(cuts):
             edge: dict[str, Any] = {"left": vertex(start, storey), "right": vertex(end, storey), "type": "ground"}
             edges.append(edge if thick is None else {**edge, "thickness": str(thick * height)})
     for x, high, low, side in drops:
@@ -91,9 +92,7 @@ def graph(pieces: list[Piece], circumference: Fraction | None, height: Fraction,
     return {"vertices": [[str(x + shift), str(storey * height)] for x, storey in vertices], "edges": edges}
 
 
-def drops_of(
-    piece: Piece, pieces: list[Piece], circumference: Fraction | None
-) -> list[tuple[Fraction, int, int, int]]:
+def drops_of(piece: Piece, pieces: list[Piece], circumference: Fraction | None) -> list[tuple[Fraction, int, int, int]]:
     """Return where one drops from the ends of a piece: the place, the upper and the lower storey, and the side."""
     result = []
     for x, side in ((piece[0], -1), (piece[1], 1)):
@@ -143,7 +142,7 @@ def a_body(random: Random, world: World, name: str, grid: Fraction) -> Body | No
         edge = random.choice(world.terrain.edges)
         support, span, storey = None, edge.span, edge.storey
     around = world.terrain.circumference
-    if around is not None and width + world.margin > around / 2:
+    if around is not None and width + world.margin > around:
         return None
     left = span[0] + grid * random.randint(-int(width / grid), int((span[1] - span[0]) / grid))
     return replace(new, left=left if around is None else left % around, storey=storey, support=support)

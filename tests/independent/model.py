@@ -7,6 +7,7 @@ fractions, its only input is a scenario as it stands in a file, and its only out
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from fractions import Fraction
+from itertools import pairwise
 from math import ceil
 from typing import Any
 
@@ -197,7 +198,9 @@ def laid_out(terrain: Terrain, string: list[GroundEdge]) -> Iterator[list[tuple[
     if around is None:
         yield once
         return
-    rounds = [[(number, (left + k * around, right + k * around)) for number, (left, right) in once] for k in range(-2, 4)]
+    rounds = [
+        [(number, (left + k * around, right + k * around)) for number, (left, right) in once] for k in range(-2, 4)
+    ]
     if x - once[0][1][0] == around:
         yield [edge for one in rounds for edge in one]
     else:
@@ -257,7 +260,7 @@ class World:
     def neighbours(self, storey: int) -> Iterator[tuple[int, int, Fraction]]:
         """Yield the neighbours on a storey, the left one first, each two with the gap between them."""
         row, around = self.on(storey), self.terrain.circumference
-        pairs = list(zip(row, row[1:], strict=False))
+        pairs = list(pairwise(row))
         if around is not None and len(row) > 1:
             pairs.append((row[-1], row[0]))
         for i, j in pairs:
@@ -425,14 +428,10 @@ class World:
     def preference(self, i: int, j: int, motion: Fraction) -> tuple[Fraction, int]:
         """Return what is greatest for the top that a body is to stand on, of those that hold it."""
         body, top = self.bodies[i], self.bodies[j]
-        around = self.terrain.circumference
-        spans = [(top.left + k * (around or 0), top.right + k * (around or 0)) for k in ((-1, 0, 1) if around else (0,))]
-        near = [span for span in spans if overlap(span, (body.left, body.right)) > -self.margin]
-        if motion > 0:
-            return max(start for start, _ in near), -j
-        if motion < 0:
-            return max(-end for _, end in near), -j
-        return max(overlap(span, (body.left, body.right)) for span in near), -j
+        left = body.left - self.from_corner(body, top)
+        if motion != 0:
+            return left * (1 if motion > 0 else -1), -j
+        return overlap((left, left + top.width), (body.left, body.right)), -j
 
     # What a trace says
 
@@ -448,12 +447,15 @@ class World:
         return {"name": body.name, "left": left, "right": right}
 
     def from_corner(self, body: Body, top: Body) -> Fraction:
-        """Return how far the left border of a body is to the right of the left corner of the top that it is on."""
+        """Return how far the left border of a body is to the right of the left corner of a top.
+
+        On a cylinder it is counted the way round on which their middles are nearer, of equals to the right.
+        """
         offset, around = body.left - top.left, self.terrain.circumference
         if around is None:
             return offset
-        offset %= around
-        return offset if offset < top.width + self.margin else offset - around
+        most = (top.width - body.width + around) / 2
+        return most - (most - offset) % around
 
     def supports(self) -> dict[str, str]:
         """Return who stands on whose top."""
@@ -468,7 +470,7 @@ def both_ways(wishes: list[Fraction], pushes: list[bool]) -> tuple[list[Fraction
 
 
 def passed_on(wishes: list[Fraction], pushes: list[bool]) -> list[Fraction]:
-    """Return the speeds in a row in the order in which they are passed on, each its own or a greater one from behind."""
+    """Return the speeds in a row, from the rear to the front, each its own or a greater one from behind."""
     speeds, passed = [], ZERO
     for wish, may in zip(wishes, pushes, strict=True):
         speeds.append(max(wish, passed))
@@ -524,7 +526,9 @@ def drives(level: dict[str, Any], step: dict[str, Any]) -> list[Drive]:
         distance = Fraction(request["distance"])
         return [Drive({index[request["body"]]: Fraction((distance > 0) - (distance < 0))}, abs(distance))]
     if (drive := step.get("drive")) is not None:
-        return [Drive({index[name]: Fraction(speed) for name, speed in drive["speeds"].items()}, Fraction(drive["time"]))]
+        return [
+            Drive({index[name]: Fraction(speed) for name, speed in drive["speeds"].items()}, Fraction(drive["time"]))
+        ]
     sign = 1 if step["tick"]["key"] == "right" else -1
     speeds = {i: sign * Fraction(body.get("speed", 0)) for i, body in enumerate(level["bodies"])}
     one = Drive({i: speed for i, speed in speeds.items() if speed != 0}, Fraction(level.get("tick", "1/50")))
