@@ -184,8 +184,7 @@ OF_STOREYS: tuple[Model, ...] = (
         "of ground edges under it, from left to right; on a cylinder on that one of them whose left end comes first "
         "from place 0 on. Beyond the ends both overhang. At a vertex between two edges a left border is at the "
         "beginning of the right edge, a right border at the end of the left one. A rider's support is named by the top "
-        "that it is on. How far a body has moved is told in the plane; of a contact the left one of the two is told. "
-        "Events of one instant may stand in any order.",
+        "that it is on. How far a body has moved is told in the plane; of a contact the left one of the two is told.",
         "4.3.1, 6.1.1; R7, R11, A56, A57",
         "repaired-front-most",
     ),
