@@ -20,16 +20,16 @@ OFTEN = 1000
 
 MOST_REFUSED = 0.05
 FLOORS = {
-    "falls": 0.4,
-    "jumps": 0.3,
+    "falls": 0.6,
+    "jumps": 0.5,
     "rides": 0.2,
-    "pushes": 0.3,
-    "squeezes": 0.05,
-    "contacts": 0.3,
-    "walls": 0.4,
-    "stops behind a slower body": 0.1,
-    "passes nothing on": 0.1,
-    "rings": 0.2,
+    "pushes": 0.5,
+    "squeezes": 0.1,
+    "contacts": 0.5,
+    "walls": 0.6,
+    "stops behind a slower body": 0.35,
+    "passes nothing on": 0.4,
+    "rings": 0.3,
     "closed rows": 0.005,
 }
 RULES = {
@@ -107,7 +107,7 @@ def judged(counts: Counter[str], levels: int) -> int:
     played = levels - counts["refused"]
     shares = {name: counts[name] / played for name in FLOORS}
     for name, share in shares.items():
-        print(f"{share:7.1%} {name}" + (f", expected at least {FLOORS[name]:.0%}" if share < FLOORS[name] else ""))
+        print(f"{share:7.1%} {name}" + (f", expected at least {FLOORS[name]:.1%}" if share < FLOORS[name] else ""))
     print(f"{played} levels played, {counts['refused']} refused, {counts['differ']} differ")
     tame = any(share < FLOORS[name] for name, share in shares.items()) or counts["refused"] > MOST_REFUSED * levels
     return int(tame or counts["differ"] > 0)

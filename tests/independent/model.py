@@ -140,7 +140,7 @@ class Terrain:
             yield from ((left + k * around, right + k * around) for left, right in spans for k in range(-2, 4))
 
     def ends(self) -> Span:
-        """Return the left and the right end of a level on a line."""
+        """Return the left-most and the right-most place of a vertex: on a line, the ends of the level."""
         return min(x for x, _ in self.points), max(x for x, _ in self.points)
 
     def walls(self, storey: int) -> list[Span]:
@@ -154,7 +154,9 @@ class Terrain:
     def ground(self, storey: int) -> list[Span]:
         """Return what a body on a storey can stand on, other bodies apart."""
         if storey == 0:
-            return [(min(x for x, _ in self.points) - 1000, max(x for x, _ in self.points) + 1000)]
+            left, right = self.ends()
+            rounds = 4 * (self.circumference or ZERO)
+            return [(left - rounds, right + rounds)]
         return self.solid.get(storey - 1, [])
 
     def strings(self, storey: int) -> list[list[GroundEdge]]:
