@@ -131,7 +131,8 @@ OF_STOREYS: tuple[Model, ...] = (
         "gap is not greater than the margin, and as at a wall each body whose distance to one is 0. Then, until its "
         "time is up: velocities are found; all bodies move with them up to the earliest event that comes, or to the "
         "end of the step; all events of that instant are recorded; all bodies whose support was lost settle. So the "
-        "last instant has its events and its settling too, and a step of no time only settles and records.",
+        "last instant has its events and its settling too, and a step of no time only settles and records. Events of "
+        "one instant may be told in any order.",
         "6.2.1, 5.2; R5, R10, R23, A1",
         "repaired-fills-pit",
     ),

@@ -46,7 +46,6 @@ def test_over_no_top_the_nearest_holds(names, numerator, tmp_path):
     assert differs(tmp_path, level, {"request": {"body": "S", "distance": "1"}}) is None
 
 
-@pytest.mark.xfail(reason="the reference misses a wall at a place beyond the circumference", strict=True)
 def test_places_beyond_the_circumference_are_places_on_the_cylinder(tmp_path):
     """B walks round to a wall that stands at 6 on a cylinder of 17/4."""
     points = [(15, 1), (24, 1), (24, 2), (25, 2), (25, 0), (15, 0)]

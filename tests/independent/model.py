@@ -175,8 +175,9 @@ class Terrain:
 
 def positions(terrain: Terrain, body: Body) -> tuple[dict[str, Any], dict[str, Any]]:
     """Return the edge positions of a body on the ground, on the first string of edges under it."""
-    found = []
-    for string in sorted(terrain.strings(body.storey), key=lambda edges: edges[0].span[0]):
+    found, around = [], terrain.circumference
+    begins = {edge.number: edge.span[0] if around is None else edge.span[0] % around for edge in terrain.edges}
+    for string in sorted(terrain.strings(body.storey), key=lambda edges: begins[edges[0].number]):
         for laid in laid_out(terrain, string):
             if overlap((laid[0][1][0], laid[-1][1][1]), (body.left, body.right)) > 0:
                 found.append(laid)
