@@ -49,6 +49,10 @@ ledger: $(READY) ## print what every verdict rests on, with the spread of the so
 test: $(READY) ## run the tests
 	@$(BIN)/pytest -n 2
 
+.PHONY: independent
+independent: $(READY) ## compare the reference with a second program, on 10,000 random levels and those it refuses
+	@PYTHONPATH=tests $(BIN)/python -m independent 10500
+
 # Seconds are those of the processor: what else runs on the machine counts for less.
 .PHONY: bench
 bench: $(READY) ## time the proofs, beside CrossHair; write docs/benchmarks.md

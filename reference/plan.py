@@ -119,7 +119,7 @@ def edge_position(row: Row[N], along: N, side: Direction) -> EdgePosition[N]:
 
 def base_of(level: Level[N]) -> N:
     """The height of the lowest ground: the floor."""
-    heights = [level.graph.vertices[edge.left].y for edge in grounds_of(level)]
+    heights = [height_of(level, edge) for edge in grounds_of(level)]
     lowest = heights[0]
     for height in heights:
         lowest = lesser(lowest, height)
@@ -129,6 +129,17 @@ def base_of(level: Level[N]) -> N:
 def grounds_of(level: Level[N]) -> list[Edge[N]]:
     """The ground edges of a level."""
     return [edge for edge in level.graph.edges if edge.type is EdgeType.GROUND]
+
+
+def begins(level: Level[N], edge: Edge[N]) -> N:
+    """Where an edge begins; on a cylinder counted once round."""
+    x, round_ = level.graph.vertices[edge.left].x, level.graph.circumference
+    return x if round_ is None else once_round(x, round_)
+
+
+def height_of(level: Level[N], edge: Edge[N]) -> N:
+    """How high a level edge is."""
+    return level.graph.vertices[edge.left].y
 
 
 def storey_of(level: Level[N], height: N) -> int:
@@ -143,15 +154,16 @@ def plan_of(level: Level[N]) -> Plan[N]:
     strings = []
     for row in world.rows:
         if row.edges[0] < world.statics:
-            corner = level.graph.vertices[level.graph.edges[row.edges[0]].left]
-            strings.append(String(storey_of(level, corner.y), corner.x, row))
+            first = level.graph.edges[row.edges[0]]
+            strings.append(String(storey_of(level, height_of(level, first)), begins(level, first), row))
+    strings.sort(key=lambda string: string.start)
     return Plan(level, terrain_of(level), tuple(strings))
 
 
 def terrain_of(level: Level[N]) -> Terrain[N]:
     """What is solid on each storey of a level."""
     round_ = level.graph.circumference
-    top = max(storey_of(level, level.graph.vertices[edge.left].y) for edge in grounds_of(level))
+    top = max(storey_of(level, height_of(level, edge)) for edge in grounds_of(level))
     solid = [merged(solids(level, storey), round_) for storey in range(top)]
     return Terrain(tuple(solid), None if round_ is not None else ends_of(level), round_)
 
@@ -167,11 +179,11 @@ def ends_of(level: Level[N]) -> Interval[N]:
 
 def solids(level: Level[N], storey: int) -> Iterator[Interval[N]]:
     """The ground edges whose terrain fills a storey, from left to right; -1 is what is below the floor."""
-    for edge in sorted(grounds_of(level), key=lambda edge: level.graph.vertices[edge.left].x):
-        corner = level.graph.vertices[edge.left]
-        lowest = -1 if edge.thickness is None else storey_of(level, corner.y - edge.thickness)
-        if lowest <= storey < storey_of(level, corner.y):
-            yield Interval(corner.x, corner.x + edge.length)
+    for edge in sorted(grounds_of(level), key=lambda edge: begins(level, edge)):
+        left, height = begins(level, edge), height_of(level, edge)
+        lowest = -1 if edge.thickness is None else storey_of(level, height - edge.thickness)
+        if lowest <= storey < storey_of(level, height):
+            yield Interval(left, left + edge.length)
 
 
 def merged(intervals: Iterable[Interval[N]], circumference: N | None) -> tuple[Interval[N], ...]:
@@ -224,7 +236,7 @@ def check_edge(level: Level[Fraction], index: int, edge: Edge[Fraction]) -> None
         return
     if edge.rise:
         raise LevelError(place, f"expected ground edge {index} to be level")
-    up = level.graph.vertices[edge.left].y - base_of(level)
+    up = height_of(level, edge) - base_of(level)
     if up % height:
         raise LevelError(f"{place}.y", f"expected a multiple of {height}, a body's height, above the floor, got {up}")
     if edge.thickness is not None and (edge.thickness % height or not edge.thickness):
@@ -249,8 +261,8 @@ def check_walls(level: Level[Fraction]) -> None:
     for storey in plan_of(level).terrain.solid:
         for wall in storey:
             if wall.right - wall.left < level.margin:
-                edges = [edge for edge in grounds_of(level) if level.graph.vertices[edge.left].x == wall.left]
-                vertex = max(edges, key=lambda edge: level.graph.vertices[edge.left].y).left
+                edges = [edge for edge in grounds_of(level) if begins(level, edge) == wall.left]
+                vertex = max(edges, key=lambda edge: height_of(level, edge)).left
                 expected = f"expected a wall at least as thick as the margin, got {wall.right - wall.left}"
                 raise LevelError(f"$.vertices[{vertex}]", expected)
 

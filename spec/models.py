@@ -118,10 +118,10 @@ OF_STOREYS: tuple[Model, ...] = (
     ),
     Model(
         "model/drive",
-        "For the length of a step each body has a drive, a velocity. Of a character that is driven it is meant in the "
-        "plane, of a box that is driven relative to its support; of any other it is 0 relative to its support. A tick "
-        "with a key held drives every character at its speed in the key's direction; a request to move by d drives "
-        "its body at unit speed in the direction of d, for a time of |d|.",
+        "For the length of a step each body has a drive, a velocity. Of a character that is driven, even at 0, it is "
+        "meant in the plane, of a box that is driven relative to its support; of any other it is 0 relative to its "
+        "support. A tick with a key held drives every character at its speed in the key's direction; a request to move "
+        "by d drives its body at unit speed in the direction of d, for a time of |d|.",
         "1.1, 6.2.1; R1, R4, R17, A52, A53",
         "repaired-walks-on-mover",
     ),
@@ -131,7 +131,8 @@ OF_STOREYS: tuple[Model, ...] = (
         "gap is not greater than the margin, and as at a wall each body whose distance to one is 0. Then, until its "
         "time is up: velocities are found; all bodies move with them up to the earliest event that comes, or to the "
         "end of the step; all events of that instant are recorded; all bodies whose support was lost settle. So the "
-        "last instant has its events and its settling too.",
+        "last instant has its events and its settling too, and a step of no time only settles and records. Events of "
+        "one instant may be told in any order.",
         "6.2.1, 5.2; R5, R10, R23, A1",
         "repaired-fills-pit",
     ),
@@ -149,8 +150,8 @@ OF_STOREYS: tuple[Model, ...] = (
         "left to right: each body's speed to the right is its own or a greater one that the body on its left passes "
         "to it (row/own, row/pushed), and it passes its speed on, or 0 (row/passes-on, row/passes-nothing). Likewise "
         "to the left, from right to left. A body with speeds greater than 0 both ways is squeezed (row/squeezed), so "
-        "is all of a row that closes on itself (row/ring): from here on their wish is 0, and they pass nothing on. "
-        "With that, wishes are passed on once more, and now a body has a speed one way at most. At last, for each "
+        "is all of a row that closes on itself (row/ring): from here on their wish is 0, they pass nothing on, and "
+        "there is a wall to them on both sides. With that, wishes are passed on once more. At last, for each "
         "direction, from the front-most body backwards, each speed is cut to what the wall, or the body in contact "
         "ahead, lets it (way); the speed ahead that counts is the one in that direction, at least 0. The velocity is "
         "the speed to the right less the speed to the left.",
@@ -160,9 +161,9 @@ OF_STOREYS: tuple[Model, ...] = (
     Model(
         "model/records",
         "A contact that is recorded lasts until two neighbours part: until time passes in which the right one moves "
-        "faster to the right than the left one, or one of them changes its storey. A body at a wall is there until "
-        "time passes in which it moves away, or it changes its storey. While they last, no event between the two "
-        "comes. Records are made anew in each step.",
+        "faster to the right than the left one, or they have settled on different storeys; two that fall together "
+        "stay in contact. A body at a wall is there until time passes in which it moves away, or it changes its "
+        "storey. While they last, no event between the two comes. Records are made anew in each step.",
         "6.2.1c; R20, R24",
         "repaired-walks-on-mover",
     ),
@@ -170,18 +171,21 @@ OF_STOREYS: tuple[Model, ...] = (
         "model/settling",
         "Settling looks at the bodies once, lowest storey first, so that a rider looks after what carries it. A body "
         "that has lost its support, or whose support is no longer one storey below it, looks for another (settle), "
-        "and where it falls, again from the storey below. A support that it has lost at this instant does not count. "
-        "Its motion is its velocity less that of the support it lost, both as they were up to now; at the beginning "
-        "of a step it is 0. Settling takes no time.",
+        "and where it falls, again from the storey below. A support that it has moved off at this instant does not "
+        "count; one that has fallen counts where it is again one storey below. Its motion is its velocity less that "
+        "of the support it lost, both as they were up to now; at the beginning of a step it is 0. Settling takes no "
+        "time.",
         "6.2.1d, 6.2.1e; R21, R22, R23, A4, A28, A48, P8",
         "repaired-support-falls",
     ),
     Model(
         "model/positions",
-        "In files, the borders of a body on a top are that far from its left corner; of a body on the ground they are "
-        "edge positions on the first string of ground edges under it, from left to right. Beyond the ends both "
-        "overhang. At a vertex between two edges a left border is at the beginning of the right edge, a right border "
-        "at the end of the left one. A rider's support is named by the top that it is on.",
+        "In files, the borders of a body on a top are that far from its left corner, on a cylinder the way round on "
+        "which the middles of the two are nearer; of a body on the ground they are edge positions on the first string "
+        "of ground edges under it, from left to right; on a cylinder on that one of them whose left end comes first "
+        "from place 0 on. Beyond the ends both overhang. At a vertex between two edges a left border is at the "
+        "beginning of the right edge, a right border at the end of the left one. A rider's support is named by the top "
+        "that it is on. How far a body has moved is told in the plane; of a contact the left one of the two is told.",
         "4.3.1, 6.1.1; R7, R11, A56, A57",
         "repaired-front-most",
     ),

@@ -336,7 +336,8 @@ OF_STOREYS: tuple[Reading[None], ...] = (
     reading(
         "repaired/which-top",
         "Over several tops a body stands on the one that is front-most in its motion relative to the support it lost; "
-        "without such motion on the one that it is over most, then on the first in the level's order.",
+        "without such motion on the one that it is over most, if it is over none on the nearest, then on the first in "
+        "the level's order.",
         "6.2.1; A23",
         "the nearest; two supports",
         "repaired-front-most",
@@ -350,7 +351,7 @@ OF_STOREYS: tuple[Reading[None], ...] = (
     ),
     reading(
         "repaired/lost-for-an-instant",
-        "A support that was lost does not count again at the same instant; later it may, if it holds.",
+        "A support that a body has moved off does not count again at the same instant; later it may, if it holds.",
         "6.2.1d; R21",
         "not until the motion turns",
         "repaired-slot",

@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from itertools import groupby
 from typing import Any
 
 from properties.conformance.diagnosis import Trouble
@@ -146,12 +147,15 @@ class OfSteps:
             return
         events = events_of(self.profile)
         right = [event_record(one, events) for one in outcome.happened]
-        for i, (told_, one) in enumerate(zip(line.events, right, strict=False)):
-            if wrong := event_text(told_, one):
-                yield Difference(told_.body, f"events[{i}]", *wrong)
-                return
         if len(line.events) != len(right):
             yield Difference("", "events", f"{len(right)} events", f"{len(line.events)} events")
+            return
+        for place, (told_, one) in enumerate(
+            zip(by_instant(line.events, right), by_instant(right, right), strict=True)
+        ):
+            if wrong := event_text(told_, one):
+                yield Difference(told_.body, f"events[{place}]", *wrong)
+                return
 
     def scenario(self, step: Step, body: str, name: str, note: str) -> ScenarioRecord | None:
         """The step as a scenario, without the bodies that do not matter to where one comes to be."""
@@ -226,6 +230,18 @@ def with_numbers(world: StoreyWorld[Any], terrain: Terrain[Any], number: Callabl
     world.terrain, world.margin = terrain, number(world.margin)
     world.places = [replace(one, left=number(one.left), width=number(one.width)) for one in world.places]
     return world
+
+
+def by_instant(events: list[EventRecord], right: list[EventRecord]) -> list[EventRecord]:
+    """As many events as there are by the rules, those of one instant in one order: a log may tell them in any."""
+    pairs = zip((one.time for one in right), events, strict=True)
+    instants = (sorted((one for _, one in some), key=name_of) for _, some in groupby(pairs, key=lambda pair: pair[0]))
+    return [one for instant in instants for one in instant]
+
+
+def name_of(event: EventRecord) -> tuple[str, str, str]:
+    """What tells events of one instant apart."""
+    return event.body, event.rule, event.other or ""
 
 
 def event_text(told: EventRecord, right: EventRecord) -> tuple[str, str] | None:

@@ -186,8 +186,8 @@ MEET: AnyFamily = Family(
         ),
         Rule(
             id="row/squeezed",
-            sentence="A body that speeds reach from both sides is squeezed: it stands still, whatever the speeds, as "
-            "between two walls, and passes nothing on.",
+            sentence="A body that speeds reach from both sides, its own wish as good as another's push, is squeezed: "
+            "it stands still, whatever the speeds, as between two walls, and passes nothing on.",
             source="6.2.1c; R20, A2",
             guard=(not_closed, from_both_sides),
             effect=stands_still,
