@@ -70,6 +70,10 @@ $(SMTLIB)/obligations.json: $(READY) $(SOURCE)
 $(BROKEN)/obligations.json: $(READY) $(SOURCE)
 	@$(MAKE) --no-print-directory mutants
 
+.PHONY: compare
+compare: $(READY) ## compare the profiles repaired and thesis over 100,000 scenarios
+	@$(BIN)/graphbody compare --scenarios 100000
+
 .PHONY: cross-check
 cross-check: $(SMTLIB)/obligations.json $(BROKEN)/obligations.json ## have a second solver decide what Z3 has decided
 	@$(BIN)/graphbody cross-check $(SMTLIB) $(BROKEN)

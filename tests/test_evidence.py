@@ -33,11 +33,12 @@ FLOORS_OF_VERDICTS = {
         landing-keeps-width stays-in-wall near-jump-edges landing-position landing-position/overshoot
     """,
     BOUNDED: """
-        mirror edge-split world-is-lawful whole-rows terrain plane-apart-of-two horizontal-alone supports-end
+        requests-end-alike mirror edge-split world-is-lawful whole-rows terrain plane-apart-of-two horizontal-alone supports-end
         never-raised height-kept supports-end/overshoot never-raised/overshoot height-kept/overshoot
     """,
     TESTED: """
         rule-count queries-of-a-push queries-at-transitions long-strings walls-reached-exactly every-rule-fires
+        differences-have-causes witnesses-mended
     """,
     REFUTED: """
         no-overlap-on-short-edges pushing-on-short-edges split-anywhere additive-on-any-ring

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from properties.claims import ledges, string
+from properties.claims import comparison, ledges, string
 from properties.claims.claim import Claim
 
-CLAIMS: tuple[Claim, ...] = (*string.CLAIMS, *ledges.CLAIMS)
+CLAIMS: tuple[Claim, ...] = (*string.CLAIMS, *ledges.CLAIMS, *comparison.CLAIMS)

@@ -141,6 +141,13 @@ class Symbolic:
 
     __rmul__ = __mul__
 
+    def __truediv__(self, other: Any) -> Symbolic:
+        """The quotient by a known number; one by an unknown number is not linear, and is refused."""
+        divisor = parted(other)
+        if divisor.parts:
+            raise TypeError("a quotient by a symbolic number is not linear")
+        return self * (1 / divisor.constant)
+
     def compare(self, other: Any, relation: str) -> Any:
         """Whether the difference is in a relation to 0: a plain Boolean where no variable is left in it."""
         difference = self.plus(other, -1)
