@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from fractions import Fraction
 from typing import Any
 
-from reference.formats.level import Position
+from reference.formats.level import BodyRecord, Position
 from reference.formats.trace import HeaderRecord, LineRecord, PlaceRecord
 from reference.recording import Recording, place_record
 from reference.world import World
@@ -94,7 +94,18 @@ def action_of(line: LineRecord) -> dict[str, Any]:
     if line.drive is not None:
         speeds = [[name, rational(speed)] for name, speed in line.drive.speeds.items()]
         return {"tag": "Drive", "value": {"speeds": {"#map": speeds}, "time": rational(line.drive.time)}}
+    if line.add is not None:
+        return {"tag": "Add", "value": added(line.add)}
+    if line.remove is not None:
+        return {"tag": "Remove", "value": {"body": line.remove.body}}
     return {"tag": "Start", "value": UNIT}
+
+
+def added(body: BodyRecord) -> dict[str, Any]:
+    """A body that comes."""
+    borders = {"left": position(body.left), "right": position(body.right)}
+    numbers = {"speed": rational(body.speed), "height": rational(body.height)}
+    return {"body": body.name, "pushes": body.pushes, **borders, **numbers}
 
 
 def borders_of(place: PlaceRecord) -> dict[str, Any]:

@@ -76,6 +76,17 @@ class StoreyWorld(Generic[N]):
         other.places, other.rows = list(self.places), {storey: list(row) for storey, row in self.rows.items()}
         return other
 
+    def with_place(self, place: Place[N]) -> StoreyWorld[N]:
+        """The same with one body more, the last."""
+        return StoreyWorld(self.terrain, self.margin, [*self.places, place])
+
+    def without(self, body: int) -> StoreyWorld[N]:
+        """The same without a body; those that stood on it have lost their support, and later ones count one less."""
+        supports = {other: other - (other > body) for other in range(len(self.places)) if other != body}
+        rest = [place for other, place in enumerate(self.places) if other != body]
+        kept = [replace(place, support=supports.get(-1 if place.support is None else place.support)) for place in rest]
+        return StoreyWorld(self.terrain, self.margin, kept)
+
     def storeys(self) -> Sequence[int]:
         """The storeys on which bodies stand, the lowest first."""
         return sorted(storey for storey, row in self.rows.items() if row)

@@ -33,8 +33,9 @@ FLOORS_OF_VERDICTS = {
         landing-keeps-width stays-in-wall near-jump-edges landing-position landing-position/overshoot
     """,
     BOUNDED: """
-        requests-end-alike mirror edge-split world-is-lawful whole-rows terrain plane-apart-of-two horizontal-alone supports-end
+        mirror edge-split world-is-lawful whole-rows terrain plane-apart-of-two horizontal-alone supports-end
         never-raised height-kept supports-end/overshoot never-raised/overshoot height-kept/overshoot
+        requests-end-alike
     """,
     TESTED: """
         rule-count queries-of-a-push queries-at-transitions long-strings walls-reached-exactly every-rule-fires

@@ -45,8 +45,8 @@ SHOWN: dict[str, str] = {
 
 OUTSIDE: dict[str, str] = {
     "figure-6-6d-tunnel": "the tunnel is lower than a storey: repaired-tunnel shows the case",
-    "figure-6-6e-falling-on-the-middle": "the platforms are half a storey thick: repaired-fall-onto-the-middle shows it",
-    "figure-6-6f-sharp-ledge": "the ledge has no thickness; on storeys a box cannot be under the tip of a ledge as high",
+    "figure-6-6e-falling-on-the-middle": "platforms are half a storey thick: repaired-fall-onto-the-middle shows it",
+    "figure-6-6f-sharp-ledge": "its fall edge slants: on storeys no box is under the tip of a ledge of its height",
     "figure-6-6f-sharp-ledge-in-front": "the same",
     "blocked-by-tall-bodies": "its bodies have several heights",
     "smallest-drop": "its bodies have several heights",
