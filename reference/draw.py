@@ -190,15 +190,15 @@ def what(frame: Frame) -> str:
     line = frame.line
     if line is None:
         return "Start"
+    if line.add is not None:
+        return f"{frame.step}. {ink.shortened(line.add.name, 24)} comes"
+    if line.remove is not None:
+        return f"{frame.step}. {ink.shortened(line.remove.body, 24)} goes"
     moves = "; ".join(moved(move) for move in line.moves or ())
     if line.tick is not None:
         return f"{frame.step}. Key {line.tick.key}: {moves}" if moves else f"{frame.step}. Key {line.tick.key}"
     if line.drive is not None:
         return f"{frame.step}. {moves or 'Nobody is driven'}"
-    if line.add is not None:
-        return f"{frame.step}. {ink.shortened(line.add.name, 24)} comes"
-    if line.remove is not None:
-        return f"{frame.step}. {ink.shortened(line.remove.body, 24)} goes"
     assert line.request is not None
     asked = f"{ink.shortened(line.request.body, 24)} asked {ink.number(exact(line.request.distance, '$'))}"
     return f"{frame.step}. {moves or asked}"

@@ -300,7 +300,7 @@ def check_bodies(level: Level[Fraction]) -> None:
     for body in range(len(level.bodies)):
         check_outside(world, body)
     for left, right in world.neighbours():
-        check_apart(level, world, left, right)
+        check_apart(level, world, left, right, right)
 
 
 def check_outside(world: StoreyWorld[N], body: int) -> None:
@@ -310,11 +310,11 @@ def check_outside(world: StoreyWorld[N], body: int) -> None:
         raise LevelError(f"$.bodies[{body}]", "expected a body outside all terrain")
 
 
-def check_apart(level: Level[N], world: StoreyWorld[N], left: int, right: int) -> None:
-    """Refuse neighbours nearer to each other than the margin."""
+def check_apart(level: Level[N], world: StoreyWorld[N], left: int, right: int, at: int) -> None:
+    """Refuse neighbours nearer to each other than the margin; the place is that of one of them."""
     if world.gap(left, right) < level.margin:
         names = f"{level.bodies[left].name!r} and {level.bodies[right].name!r}"
-        raise LevelError(f"$.bodies[{right}]", f"{names} are {world.gap(left, right)} apart, less than the margin")
+        raise LevelError(f"$.bodies[{at}]", f"{names} are {world.gap(left, right)} apart, less than the margin")
 
 
 def check_added(level: Level[N], world: StoreyWorld[N]) -> None:
@@ -328,4 +328,4 @@ def check_added(level: Level[N], world: StoreyWorld[N]) -> None:
     check_outside(world, body)
     for left, right in world.neighbours():
         if body in (left, right):
-            check_apart(level, world, left, right)
+            check_apart(level, world, left, right, body)
