@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Container, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from typing import Any, Generic
@@ -10,7 +10,7 @@ from typing import Any, Generic
 from reference.formats.numbers import exact
 from reference.formats.scenario import StepRecord
 from reference.plan import check_added, plan_of, without
-from reference.simulator import MOST_FIRED, Endless, Fulfilled, Happened
+from reference.simulator import Endless, Fulfilled, Happened
 from reference.storeys import StoreyWorld
 from reference.world import LevelError, World, standing
 from spec.body import Body, Level
@@ -22,8 +22,24 @@ from spec.rules.settle import Change
 from spec.rules.step import Event, Moment, StepRules, step
 from spec.storeys import Contact, Drive, Seat
 
+MOST_CHOSEN = 10_000_000
+
 COMING = ("event/contact", "event/wall", "event/support-lost")
 """The rules that say when something comes: they have fired when it has come."""
+
+STANDING = frozenset(
+    (
+        "settle/stay",
+        "wish/carried",
+        "row/own",
+        "row/passes-on",
+        "row/passes-nothing",
+        "row/one-way",
+        "way/open",
+        "way/wall",
+    )
+)
+"""The rules by which a body stands that nothing moves: of such a body nothing is told."""
 
 
 @dataclass
@@ -44,6 +60,11 @@ class Chosen:
         if self.chosen > self.most:
             raise Endless(f"expected a step that ends, more than {self.most} rules fired")
 
+    def told(self, moving: Container[int]) -> Iterator[tuple[int, str]]:
+        """What fired, but for bodies that neither moved nor did more than stand."""
+        active = {body for body, rule in self.fired if body in moving or rule not in STANDING}
+        return (pair for pair in self.fired if pair[0] in active)
+
 
 @dataclass(frozen=True)
 class Noted:
@@ -62,7 +83,7 @@ class Noted:
 
 
 def run(
-    rules: StepRules, world: StoreyWorld[N], drives: Mapping[int, Drive[N]], duration: N, most: int = MOST_FIRED
+    rules: StepRules, world: StoreyWorld[N], drives: Mapping[int, Drive[N]], duration: N, most: int = MOST_CHOSEN
 ) -> tuple[list[Moment[N]], Chosen]:
     """Drive the bodies of a world for a time; return what came, and the rules that fired.
 
@@ -108,7 +129,7 @@ class StepGame(Generic[N]):
 
     profile: SteppedProfile
     level: Level[N]
-    most: int = MOST_FIRED
+    most: int = MOST_CHOSEN
 
     def __post_init__(self) -> None:
         """Set the level up."""
@@ -164,9 +185,9 @@ class StepGame(Generic[N]):
         still = {body: Drive(zero_like(duration)) for body in range(len(self.names))}
         moments, record = run(self.profile.rules, self.storeys, {**still, **driven}, duration, self.most)
         self.world = World(replace(self.level, bodies=self.plan.bodies(self.storeys)))
-        fired = tuple((self.names[body], rule) for body, rule in record.fired)
-        happened = tuple(told(self.names, duration, moments))
         movers = {body for moment in moments for body, speed in moment.velocities.items() if speed * moment.moved}
+        fired = tuple((self.names[body], rule) for body, rule in record.told({*driven, *movers}))
+        happened = tuple(told(self.names, duration, moments))
         work = {"events": sum(len(moment.events) for moment in moments), "choices": record.chosen}
         results = []
         for body, drive in (driven or {0: still[0]}).items():

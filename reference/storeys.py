@@ -154,11 +154,13 @@ class StoreyWorld(Generic[N]):
     def to_loss(self, body: int, direction: Direction) -> N | None:
         """How far a body can move relative to its support until that no longer holds it."""
         place = self.places[body]
-        if place.support is not None:
-            offset, below = self.offset(body, place.support), self.places[place.support]
-            beyond = below.width - offset if direction is Direction.RIGHT else offset + place.width
-            return beyond + self.margin
-        return self.to_ledge(place, direction) if place.storey else None
+        if place.support is None:
+            return self.to_ledge(place, direction) if place.storey else None
+        offset, below, round_ = self.offset(body, place.support), self.places[place.support], self.terrain.circumference
+        if round_ is not None and place.width + below.width + self.margin * 2 > round_:
+            return None
+        beyond = below.width - offset if direction is Direction.RIGHT else offset + place.width
+        return beyond + self.margin
 
     def to_ledge(self, place: Place[N], direction: Direction) -> N | None:
         """How far a body on the ground can move until it is over none, across gaps that it does not fit into."""
@@ -170,26 +172,29 @@ class StoreyWorld(Generic[N]):
         return None if round_ is not None and reach - start >= round_ else reach - start
 
     def grounds(self, place: Place[N], direction: Direction) -> Iterator[Interval[N]]:
-        """The grounds of a storey seen from a body's left border in a direction; on a ring also once round."""
+        """The grounds of a storey seen from a body's left border in a direction; on a ring as far as twice round.
+
+        A body that goes nearly once round has its front border nearly twice round.
+        """
         round_ = self.terrain.circumference
         for solid in self.terrain.on(place.storey - 1):
             left, right = solid.left - place.left, solid.right - place.left
-            for by in [zero_like(left)] if round_ is None else [round_ * -1, zero_like(left), round_]:
+            for by in [zero_like(left)] if round_ is None else [round_ * rounds for rounds in (-2, -1, 0, 1, 2)]:
                 near, far = left + by, right + by
                 yield Interval(near, far) if direction is Direction.RIGHT else Interval(far * -1, near * -1)
 
     def offset(self, body: int, below: int) -> N:
-        """How far the left border of a body is to the right of that of another, the short way round on a ring."""
-        return self.short(self.places[body].left - self.places[below].left)
-
-    def short(self, distance: N) -> N:
-        """A distance; on a ring the short way round."""
-        circumference = self.terrain.circumference
-        if circumference is None:
-            return distance
-        if distance * 2 > circumference:
-            return distance - circumference
-        return distance + circumference if distance * 2 < zero_like(distance) - circumference else distance
+        """How far the left border of a body is to the right of that of another; on a ring, where they are over each
+        other, or the way round on which their middles are nearer.
+        """
+        place, other, round_ = self.places[body], self.places[below], self.terrain.circumference
+        offset = place.left - other.left
+        if round_ is None:
+            return offset
+        between_middles = offset * 2 + place.width - other.width
+        if between_middles > round_:
+            return offset - round_
+        return offset + round_ if between_middles < round_ * -1 else offset
 
     def holds(self, body: int) -> Truth:
         """Whether a body's support holds it."""

@@ -25,7 +25,7 @@ from reference.plan import Plan, check_plan
 from reference.recording import Recording, event_record, events_of
 from reference.simulator import Happened
 from reference.stepping import StepGame, of_step, run, told
-from reference.storeys import Interval, StoreyWorld, Terrain
+from reference.storeys import Interval, StoreyWorld, Terrain, once_round
 from reference.world import LevelError, World
 from spec.graph import Direction
 from spec.profiles import SteppedProfile
@@ -130,7 +130,7 @@ class OfSteps:
         """The bodies that are seen elsewhere, or on something else, than they are expected to be."""
         bodies = self.plan.bodies(expected)
         for body, (one, two) in enumerate(zip(expected.places, seen.places, strict=True)):
-            apart = abs(expected.short(one.left - two.left))
+            apart = abs(short_way(one.left - two.left, self.plan.terrain.circumference))
             same = one.storey == two.storey and one.support == two.support
             for side, off in (("left", apart), ("right", abs(apart + one.width - two.width))):
                 if not same or off > tolerance:
@@ -178,6 +178,14 @@ class OfSteps:
         game.step(*of_step(level, line.asked))
         place = game.storeys.places[game.names.index(body)]
         return place.storey, place.left, None if place.support is None else game.names[place.support]
+
+
+def short_way(distance: Fraction, circumference: Fraction | None) -> Fraction:
+    """A distance; on a ring the short way round."""
+    if circumference is None:
+        return distance
+    around = once_round(distance, circumference)
+    return around if around * 2 <= circumference else around - circumference
 
 
 def way(speed: Fraction) -> Direction:

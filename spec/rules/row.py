@@ -170,8 +170,8 @@ def takes_part(meeting: Meeting[N]) -> Member[N]:
 
 
 def stands_still(meeting: Meeting[N]) -> Member[N]:
-    """It wishes nothing and passes nothing on."""
-    return replace(meeting.member, wish=zero_like(meeting.right), pushes=False)
+    """It wishes nothing and passes nothing on, and is held on both sides as if walls were there."""
+    return replace(meeting.member, wish=zero_like(meeting.right), pushes=False, walls=frozenset(Direction))
 
 
 MEET: AnyFamily = Family(
@@ -186,8 +186,8 @@ MEET: AnyFamily = Family(
         ),
         Rule(
             id="row/squeezed",
-            sentence="A body that speeds reach from both sides is squeezed: it stands still, whatever the speeds, and "
-            "passes nothing on.",
+            sentence="A body that speeds reach from both sides is squeezed: it stands still, whatever the speeds, as "
+            "between two walls, and passes nothing on.",
             source="6.2.1c; R20, A2",
             guard=(not_closed, from_both_sides),
             effect=stands_still,
