@@ -44,7 +44,7 @@ CLAIMS: tuple[Claim, ...] = (
             of_rows(alike.requests_end_alike, bodies, edges, False, KEPT, LONG, mover=mover, direction=direction)
             for bodies, edges in ((1, 2), (2, 1), (3, 1))
             for mover in range(bodies)
-            for direction in Direction
+            for direction in (Direction if bodies < 3 else (Direction.RIGHT,))
         ),
     ),
     counted(
