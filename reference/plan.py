@@ -299,8 +299,16 @@ def check_bodies(level: Level[Fraction]) -> None:
     world = plan_of(level).start()
     for body in range(len(level.bodies)):
         check_outside(world, body)
+    check_places(level, world)
     for left, right in world.neighbours():
         check_apart(level, world, left, right, right)
+
+
+def check_places(level: Level[N], world: StoreyWorld[N]) -> None:
+    """Refuse two bodies at one place."""
+    for left, right in world.at_one_place():
+        names = f"{level.bodies[left].name!r} and {level.bodies[right].name!r}"
+        raise LevelError(f"$.bodies[{max(left, right)}]", f"{names} are at one place")
 
 
 def check_outside(world: StoreyWorld[N], body: int) -> None:
@@ -326,6 +334,7 @@ def check_added(level: Level[N], world: StoreyWorld[N]) -> None:
     body = len(level.bodies) - 1
     check_size(level, World(level), body)
     check_outside(world, body)
+    check_places(level, world)
     for left, right in world.neighbours():
         if body in (left, right):
             check_apart(level, world, left, right, body)

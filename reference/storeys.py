@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
+from itertools import pairwise
 from typing import Generic
 
 from spec.graph import Direction
@@ -113,6 +114,13 @@ class StoreyWorld(Generic[N]):
             for left, right in zip(row, [*row[1:], *row[:1]], strict=True):
                 follows = self.terrain.circumference is not None or right is not row[0]
                 if follows and left != right and self.free_between(left, right):
+                    yield left, right
+
+    def at_one_place(self) -> Iterator[tuple[int, int]]:
+        """Bodies on one storey whose left borders are at one place: on a ring no gap tells that they overlap."""
+        for row in self.rows.values():
+            for left, right in pairwise(row):
+                if self.places[left].left == self.places[right].left:
                     yield left, right
 
     def free_between(self, left: int, right: int) -> bool:

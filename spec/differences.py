@@ -40,10 +40,10 @@ NARROW_PIT = Difference(
     "6.6a; U1",
     "figure-6-6a-short-pit",
 )
-NARROW_SLOT = Difference(
-    "difference/narrow-slot",
-    "In the thesis a body leaves a top when its rear border passes the corner; repaired, it is held until it is the "
-    "margin beyond.",
+HELD_BY_TOP = Difference(
+    "difference/held-by-the-top",
+    "In the thesis a body leaves a top when its rear border passes the corner; repaired, the top holds it until it is "
+    "the margin beyond, and on a ring also if it is under it the other way round.",
     "6.2.1d; A14, R24",
     "repaired-slot",
 )
@@ -123,7 +123,7 @@ DIFFERENCES: tuple[Difference, ...] = (
     LANDING,
     AT_THE_LEDGE,
     NARROW_PIT,
-    NARROW_SLOT,
+    HELD_BY_TOP,
     STOPPED_BEFORE,
     CORNER,
     FAR_END_TAKEN,

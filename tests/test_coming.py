@@ -229,3 +229,13 @@ def test_an_api_call_that_is_refused_changes_nothing():
         played.add(Body("N", EdgePosition(0, Fraction(1)), EdgePosition(0, Fraction(2)), Fraction(0), Fraction(1)))
     assert places(played) == before
     assert played.names == ["A", "Box", "Top"]
+
+
+def test_two_bodies_at_one_place_on_a_ring_are_refused(tmp_path):
+    vertices = [["0", "1"], ["4", "1"], ["4", "0"], ["6", "0"], ["6", "1"]]
+    box, rider = body("Box", (2, "1/2"), (2, "3/2")), body("Rider", ("Box", "-1"), ("Box", "0"))
+    bodies = [body("A", (0, "7/2"), (0, "9/2")), box, rider]
+    ring = {"format": "graphbody/level@1", "name": "ring", "margin": "1/8", "circumference": "10"}
+    path = written(tmp_path, [], {**ring, "vertices": vertices, "bodies": bodies})
+    with pytest.raises(FormatError, match=r"\$\.level\.bodies\[2\]: 'A' and 'Rider' are at one place"):
+        play(path)

@@ -128,8 +128,8 @@ def in_terrain(world: StoreyWorld[Fraction], body: int) -> bool:
 
 def legal(world: StoreyWorld[Fraction]) -> bool:
     """Whether bodies are the margin apart, and outside terrain."""
-    clear = all(world.gap(*pair) >= world.margin for pair in world.neighbours())
-    return clear and not any(in_terrain(world, body) for body in range(len(world.places)))
+    near = any(world.gap(*pair) < world.margin for pair in world.neighbours()) or any(world.at_one_place())
+    return not near and not any(in_terrain(world, body) for body in range(len(world.places)))
 
 
 @dataclass

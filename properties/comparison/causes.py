@@ -16,10 +16,10 @@ from spec.differences import (
     CARRIED,
     CORNER,
     FAR_END_TAKEN,
+    HELD_BY_TOP,
     INTO_TERRAIN,
     LANDING,
     NARROW_PIT,
-    NARROW_SLOT,
     OTHER_STRING,
     OUT_OF_SIGHT,
     RIDER_SPEED,
@@ -66,11 +66,10 @@ def held_by_ground(both: Both) -> Bodies:
     return frozenset(body for body in kept if both.settled.support(body) is None)
 
 
-def held_by_margin(both: Both) -> Bodies:
-    """Those that the thesis let fall or jump, and that their support holds over less than the margin."""
-    kept, storeys = both.left - both.changed, both.settled
-    tops = {body: top for body in kept if (top := storeys.support(body)) is not None}
-    return frozenset(body for body, top in tops.items() if storeys.overlap(body, top) <= 0)
+def held_by_top(both: Both) -> Bodies:
+    """Those that the thesis let fall or jump, and that the top on which they stood still holds."""
+    kept = both.left - both.changed - stopped(both)
+    return frozenset(body for body in kept if both.settled.support(body) is not None)
 
 
 def at_a_corner(both: Both) -> Bodies:
@@ -180,7 +179,7 @@ CAUSES: dict[Difference, Cause] = {
     LANDING: landed,
     AT_THE_LEDGE: lost_at_an_end,
     NARROW_PIT: held_by_ground,
-    NARROW_SLOT: held_by_margin,
+    HELD_BY_TOP: held_by_top,
     STOPPED_BEFORE: stopped,
     CORNER: at_a_corner,
     FAR_END_TAKEN: at_a_blocked_ledge,
