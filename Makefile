@@ -8,6 +8,7 @@ PINNED := $(VENV)/.pinned
 READY  := $(VENV)/.ready
 SMTLIB := build/smtlib
 BROKEN := build/smtlib-mutants
+SCENARIOS ?= 100000
 SOURCE := $(shell find spec reference properties -name '*.py')
 
 .DEFAULT_GOAL := help
@@ -73,6 +74,10 @@ $(SMTLIB)/obligations.json: $(READY) $(SOURCE)
 
 $(BROKEN)/obligations.json: $(READY) $(SOURCE)
 	@$(MAKE) --no-print-directory mutants
+
+.PHONY: compare
+compare: $(READY) ## compare the profiles repaired and thesis over SCENARIOS scenarios, 100,000 if not said
+	@$(BIN)/graphbody compare --scenarios $(SCENARIOS)
 
 .PHONY: cross-check
 cross-check: $(SMTLIB)/obligations.json $(BROKEN)/obligations.json ## have a second solver decide what Z3 has decided

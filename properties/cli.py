@@ -351,6 +351,24 @@ def mutants(
         raise typer.Exit(1)
 
 
+@app.command()
+def compare(
+    scenarios: Annotated[int, typer.Option(min=1, help="How many scenarios: levels, each with a request or a tick.")],
+    seed: Annotated[int | None, typer.Option(help="The seed of the first thousand, counted on.")] = None,
+) -> None:
+    """Compare `repaired` with `thesis`, step by step. Exit status 1 if a difference has none of the known causes."""
+    from rich.console import Console
+
+    from properties.comparison.campaign import SEED, campaign, told
+
+    console = Console(stderr=True)
+    with console.status("comparing") as status:
+        tally = campaign(scenarios, SEED if seed is None else seed, lambda done: status.update(f"{done} compared"))
+    print(*told(tally), sep="\n")
+    if tally.unexplained or tally.tame:
+        raise typer.Exit(1)
+
+
 def main() -> None:
     """Run the command line."""
     app()

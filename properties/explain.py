@@ -20,6 +20,7 @@ from properties.results import Results
 from reference.formats.files import FormatError, read
 from reference.play import LIBRARY, library, play
 from reference.simulator import Fulfilled
+from spec.differences import Difference
 from spec.models import Model
 from spec.profiles import Profile, SteppedProfile
 from spec.readings import Reading
@@ -129,7 +130,7 @@ def facts(statement: Statement) -> Iterator[Fact]:
         yield from of_claim(statement)
     elif isinstance(statement, Profile | SteppedProfile):
         yield from (Fact(one.kind, f"{one.id}: {one.sentence}") for one in text_of(statement))
-    elif isinstance(statement, Model):
+    elif isinstance(statement, Model | Difference):
         yield Fact("seen in scenario", statement.scenario)
         yield replay(LIBRARY / "scenarios" / f"{statement.scenario}.json")
     elif isinstance(statement, Reading):

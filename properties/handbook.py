@@ -47,6 +47,7 @@ PAGES = (
         "What claims assume of a level and of a start, what the thesis advises, and what it says it cannot do.",
         ("condition", "guideline", "unsupported"),
     ),
+    Page("differences.md", "Differences", "Why `repaired` ends otherwise than `thesis`.", ("difference",)),
     Page("models.md", "Models", "What the level, the graph and time are.", ("model",)),
 )
 

@@ -5,7 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
+from reference.formats.level import BodyRecord
+from reference.formats.scenario import Asked, RemoveRecord
 from reference.play import AnyGame, Played
+from reference.simulator import Fulfilled
 from spec.body import EdgePosition
 
 
@@ -16,10 +19,23 @@ def position(at: EdgePosition[Any], game: AnyGame) -> str:
     return f"{edge}:{at.location}"
 
 
+def came_or_went(asked: Asked) -> str | None:
+    """Who came or went, if that was asked."""
+    if isinstance(asked, BodyRecord):
+        return f"{asked.name} comes"
+    return f"{asked.body} goes" if isinstance(asked, RemoveRecord) else None
+
+
+def asked_and_moved(move: Fulfilled[Any]) -> str:
+    """A request as it was fulfilled."""
+    return f"{move.body} asked {move.asked}, moved {move.moved}; chain of {move.depth}"
+
+
 def text_lines(step: Played[Any] | None, game: AnyGame) -> Iterator[str]:
     """What was asked and moved, the rules that fired, where all bodies are, and whether the goal is reached."""
+    coming = None if step is None else came_or_went(step.asked)
     for move in step.moves if step is not None else ():
-        yield f"\n{move.body} asked {move.asked}, moved {move.moved}; chain of {move.depth}"
+        yield f"\n{coming or asked_and_moved(move)}"
         fired: dict[str, list[str]] = {}
         for body, rule in move.fired:
             fired.setdefault(body, []).append(rule)

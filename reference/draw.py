@@ -17,7 +17,7 @@ from reference.drawing.scene import Window
 from reference.formats.files import one_line
 from reference.formats.numbers import exact
 from reference.formats.trace import LineRecord, MoveRecord
-from reference.recording import Recording, state_after
+from reference.recording import Recording, following, state_after
 from reference.world import LevelError, World
 
 WIDTH = 900.0
@@ -46,6 +46,7 @@ def frames(recording: Recording) -> Iterator[Frame]:
     for step, line in enumerate(recording.lines, start=1):
         before = world
         try:
+            level = following(level, line)
             world = state_after(level, line)
         except LevelError as error:
             raise BadLine(one_line(f"{step + 1}: {error}")) from None
@@ -189,6 +190,10 @@ def what(frame: Frame) -> str:
     line = frame.line
     if line is None:
         return "Start"
+    if line.add is not None:
+        return f"{frame.step}. {ink.shortened(line.add.name, 24)} comes"
+    if line.remove is not None:
+        return f"{frame.step}. {ink.shortened(line.remove.body, 24)} goes"
     moves = "; ".join(moved(move) for move in line.moves or ())
     if line.tick is not None:
         return f"{frame.step}. Key {line.tick.key}: {moves}" if moves else f"{frame.step}. Key {line.tick.key}"

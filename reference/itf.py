@@ -10,8 +10,8 @@ from collections.abc import Iterator
 from fractions import Fraction
 from typing import Any
 
-from reference.formats.level import Position
-from reference.formats.trace import HeaderRecord, LineRecord, PlaceRecord
+from reference.formats.level import BodyRecord, Position
+from reference.formats.trace import EventRecord, HeaderRecord, LineRecord, PlaceRecord
 from reference.recording import Recording, place_record
 from reference.world import World
 
@@ -19,7 +19,15 @@ ADR = "https://apalache-mc.org/docs/adr/015adr-trace.html"
 RATIONAL = "a record of two whole numbers, num and den, that stands for num/den"
 # How Apalache writes the value of a variant that has none.
 UNIT = "U_OF_UNIT"
-WHERE = ("bodies.left.location", "bodies.right.location", "action.value.distance")
+WHERE = (
+    "bodies.left.location",
+    "bodies.right.location",
+    "action.value.distance",
+    "action.value.time",
+    "action.value.speeds",
+    "events.time",
+    "events.velocities",
+)
 
 
 def text(trace: Recording) -> Iterator[str]:
@@ -68,11 +76,21 @@ def state_of(line: LineRecord, number: int, buttons: bool) -> dict[str, Any]:
         "action": action_of(line),
         "bodies": {"#map": [[place.name, borders_of(place)] for place in line.bodies]},
         "fired": [{"body": body, "rule": rule} for body, rule in fired],
-        "events": [{"body": one.body, "event": one.event, "rule": one.rule} for one in line.events or ()],
+        "events": [event_of(one) for one in line.events or ()],
     }
     if buttons:
         state |= {"pressed": line.pressed or [], "solved": line.solved or False}
     return state
+
+
+def event_of(one: EventRecord) -> dict[str, Any]:
+    """What happened to a body; where all bodies move at once also when, how they moved up to then, and with whom."""
+    event: dict[str, Any] = {"body": one.body, "event": one.event, "rule": one.rule}
+    if one.time is None:
+        return event
+    moving = [[name, rational(speed)] for name, speed in (one.velocities or {}).items()]
+    other = {"tag": "Nobody", "value": UNIT} if one.other is None else {"tag": "Body", "value": {"body": one.other}}
+    return event | {"time": rational(one.time), "velocities": {"#map": moving}, "other": other}
 
 
 def left_out(line: LineRecord, buttons: bool) -> list[str]:
@@ -94,7 +112,18 @@ def action_of(line: LineRecord) -> dict[str, Any]:
     if line.drive is not None:
         speeds = [[name, rational(speed)] for name, speed in line.drive.speeds.items()]
         return {"tag": "Drive", "value": {"speeds": {"#map": speeds}, "time": rational(line.drive.time)}}
+    if line.add is not None:
+        return {"tag": "Add", "value": added(line.add)}
+    if line.remove is not None:
+        return {"tag": "Remove", "value": {"body": line.remove.body}}
     return {"tag": "Start", "value": UNIT}
+
+
+def added(body: BodyRecord) -> dict[str, Any]:
+    """A body that comes."""
+    borders = {"left": position(body.left), "right": position(body.right)}
+    numbers = {"speed": rational(body.speed), "height": rational(body.height)}
+    return {"body": body.name, "pushes": body.pushes, **borders, **numbers}
 
 
 def borders_of(place: PlaceRecord) -> dict[str, Any]:

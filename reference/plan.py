@@ -199,6 +199,14 @@ def merged(intervals: Iterable[Interval[N]], circumference: N | None) -> tuple[I
     return tuple(found)
 
 
+def without(level: Level[N], body: int) -> Level[N]:
+    """The level without a body. Tops are numbered anew for its buttons; where bodies are is as it was."""
+    top = len(level.graph.edges) + body
+    rest = tuple(held for other, held in enumerate(level.bodies) if other != body)
+    buttons = tuple(replace(at, edge=at.edge - (at.edge > top)) for at in level.buttons)
+    return replace(level, bodies=rest, buttons=buttons)
+
+
 def check_plan(level: Level[Fraction]) -> None:
     """Refuse a level that is not one of storeys.
 
@@ -219,12 +227,18 @@ def check_sizes(level: Level[Fraction]) -> None:
     if not level.bodies:
         raise LevelError("$.bodies", "expected a body: its height is that of a storey")
     world = World(level)
-    for index, body in enumerate(level.bodies):
-        if body.height != level.bodies[0].height:
-            expected = f"expected {level.bodies[0].height}, the height of the first body, got {body.height}"
-            raise LevelError(f"$.bodies[{index}].height", expected)
-        if world.width(index) <= level.margin:
-            raise LevelError(f"$.bodies[{index}]", f"expected a width greater than the margin, {level.margin}")
+    for index in range(len(level.bodies)):
+        check_size(level, world, index)
+
+
+def check_size(level: Level[N], world: World[N], index: int) -> None:
+    """Refuse a body of another height than the first, or not wider than the margin."""
+    height, expected = level.bodies[index].height, level.bodies[0].height
+    if height != expected:
+        problem = f"expected {expected}, the height of the first body, got {height}"
+        raise LevelError(f"$.bodies[{index}].height", problem)
+    if world.width(index) <= level.margin:
+        raise LevelError(f"$.bodies[{index}]", f"expected a width greater than the margin, {level.margin}")
 
 
 def check_edge(level: Level[Fraction], index: int, edge: Edge[Fraction]) -> None:
@@ -297,12 +311,43 @@ def check_bodies(level: Level[Fraction]) -> None:
     """Refuse bodies in terrain, or nearer to each other than the margin."""
     world = plan_of(level).start()
     for body in range(len(level.bodies)):
-        inside = any(
-            room < 0 for direction in Direction for room in [world.to_wall(body, direction)] if room is not None
-        )
-        if inside or world.in_terrain(body):
-            raise LevelError(f"$.bodies[{body}]", "expected a body outside all terrain")
+        check_outside(world, body)
+    check_places(level, world)
     for left, right in world.neighbours():
-        if world.gap(left, right) < level.margin:
-            names = f"{level.bodies[left].name!r} and {level.bodies[right].name!r}"
-            raise LevelError(f"$.bodies[{right}]", f"{names} are {world.gap(left, right)} apart, less than the margin")
+        check_apart(level, world, left, right, right)
+
+
+def check_places(level: Level[N], world: StoreyWorld[N]) -> None:
+    """Refuse two bodies at one place."""
+    for left, right in world.at_one_place():
+        names = f"{level.bodies[left].name!r} and {level.bodies[right].name!r}"
+        raise LevelError(f"$.bodies[{max(left, right)}]", f"{names} are at one place")
+
+
+def check_outside(world: StoreyWorld[N], body: int) -> None:
+    """Refuse a body in terrain."""
+    rooms = [world.to_wall(body, direction) for direction in Direction]
+    if world.in_terrain(body) or any(room is not None and room < zero_like(room) for room in rooms):
+        raise LevelError(f"$.bodies[{body}]", "expected a body outside all terrain")
+
+
+def check_apart(level: Level[N], world: StoreyWorld[N], left: int, right: int, at: int) -> None:
+    """Refuse neighbours nearer to each other than the margin; the place is that of one of them."""
+    if world.gap(left, right) < level.margin:
+        names = f"{level.bodies[left].name!r} and {level.bodies[right].name!r}"
+        raise LevelError(f"$.bodies[{at}]", f"{names} are {world.gap(left, right)} apart, less than the margin")
+
+
+def check_added(level: Level[N], world: StoreyWorld[N]) -> None:
+    """Refuse a last body that another would not leave room for; the others are as a step has left them.
+
+    Raises:
+        LevelError: if its height or width, or its place, is not as it must be.
+    """
+    body = len(level.bodies) - 1
+    check_size(level, World(level), body)
+    check_outside(world, body)
+    check_places(level, world)
+    for left, right in world.neighbours():
+        if body in (left, right):
+            check_apart(level, world, left, right, body)

@@ -12,7 +12,17 @@ from typing import Any, Generic
 import msgspec
 
 from reference.formats.files import FormatError, decode, one_line, pieces, read
-from reference.formats.level import LevelRecord, distances_per_tick, numbers_of, valid_level
+from reference.formats.level import (
+    BodyRecord,
+    LevelRecord,
+    Tops,
+    body_of,
+    distances_per_tick,
+    numbers_of,
+    tops_after,
+    tops_in,
+    valid_level,
+)
 from reference.formats.numbers import check_sums, exact
 from reference.formats.scenario import Asked, DriveRecord, ScenarioRecord, StepRecord, TickRecord, read_scenario
 from reference.plan import check_plan
@@ -23,10 +33,11 @@ from spec.body import Body, Level
 from spec.graph import Direction
 from spec.number import N
 from spec.profiles import PROFILES, AnyProfile, SteppedProfile
-from spec.transform import in_floats
+from spec.transform import body_with_numbers, in_floats
 
 LIBRARY = Path(__file__).parent
 
+SAME_BODIES = "expected a request or a tick: under this profile a level keeps its bodies"
 ONE_BY_ONE = "expected a request or a tick: under this profile bodies move one after another"
 
 AnyGame = Game[Any] | StepGame[Any]
@@ -123,7 +134,7 @@ def set_up(scenario: ScenarioRecord, level: LevelRecord, floats: bool) -> AnyGam
 
 
 def check_requests(scenario: ScenarioRecord) -> None:
-    """Refuse drives where bodies move one after another.
+    """Refuse drives where bodies move one after another, and bodies that come and go.
 
     Raises:
         LevelError: with the place in the scenario.
@@ -131,6 +142,9 @@ def check_requests(scenario: ScenarioRecord) -> None:
     for i, step in enumerate(scenario.steps):
         if step.drive is not None:
             raise LevelError(f"$.steps[{i}].drive", ONE_BY_ONE)
+        for name, given in (("add", step.add), ("remove", step.remove)):
+            if given is not None:
+                raise LevelError(f"$.steps[{i}].{name}", SAME_BODIES)
 
 
 def check_storeys(level: Level[Fraction]) -> None:
@@ -160,15 +174,18 @@ def rounded(level: Level[Any]) -> Level[float]:
 
 def distances_of(scenario: ScenarioRecord, level: Level[Any]) -> Iterator[tuple[str, Fraction]]:
     """The distances that a scenario asks for, each with its place."""
-    names = {body.name for body in level.bodies}
+    tops = tops_in(level)
     for i, step in enumerate(scenario.steps):
+        tops = tops_after(tops, *step.comings, f"$.steps[{i}]")
         if step.request is not None:
-            if step.request.body not in names:
+            if step.request.body not in tops.edges:
                 raise LevelError(f"$.steps[{i}].request.body", f"no body is named {step.request.body!r}")
             place = f"$.steps[{i}].request.distance"
             yield place, exact(step.request.distance, place)
         if step.drive is not None:
-            yield from driven_distances(step.drive, names, f"$.steps[{i}].drive")
+            yield from driven_distances(step.drive, tops.edges.keys(), f"$.steps[{i}].drive")
+        if step.add is not None:
+            yield from added_distances(step.add, tops, level.tick, f"$.steps[{i}].add")
 
 
 def driven_distances(drive: DriveRecord, names: Set[str], where: str) -> Iterator[tuple[str, Fraction]]:
@@ -188,15 +205,31 @@ def driven_distances(drive: DriveRecord, names: Set[str], where: str) -> Iterato
         yield place, exact(speed, place) * time
 
 
+def added_distances(added: BodyRecord, tops: Tops, tick: Fraction, where: str) -> Iterator[tuple[str, Fraction]]:
+    """The numbers of a body that is added, and how far it wants to move in a tick, with their places.
+
+    Raises:
+        LevelError: if a number or an edge is not as it must be.
+    """
+    body = body_of(added, tops, where)
+    for number in (body.left.location, body.right.location, body.height, body.speed, body.speed * tick):
+        yield where, number
+
+
 def steps(game: AnyGame, asked: list[StepRecord], floats: bool, path: Path) -> Iterator[Played[Any]]:
     """Play the steps one after another, tick by tick.
 
     Raises:
-        FormatError: if a step takes more rules than any is allowed to.
+        FormatError: if a step takes more rules than any is allowed to, or a body can not come or go.
     """
     for number, step in enumerate(asked):
         try:
             yield from ticks(game, step, floats)
+            yield from comings(game, step, floats)
+        except LevelError as error:
+            place = error.place.removeprefix(f"$.bodies[{len(game.level.bodies)}]").removeprefix("$")
+            kind = "remove" if step.add is None else "add"
+            raise FormatError(one_line(f"{path}: $.steps[{number}].{kind}{place}: {error.problem}")) from None
         except Endless as error:
             raise FormatError(f"{path}: $.steps[{number}]: {error}") from None
 
@@ -214,6 +247,19 @@ def ticks(game: AnyGame, step: StepRecord, floats: bool) -> Iterator[Played[Any]
         kind: Any = float if floats else Fraction
         speeds = {name: kind(exact(speed, "$")) for name, speed in step.drive.speeds.items()}
         yield played(game, step.drive, game.drive(speeds, kind(exact(step.drive.time, "$"))))
+
+
+def comings(game: AnyGame, step: StepRecord, floats: bool) -> Iterator[Played[Any]]:
+    """Let a body come or go.
+
+    Raises:
+        LevelError: if it can not; of one that comes the place is that of the last body.
+    """
+    if step.add is not None and isinstance(game, StepGame):
+        body: Body[Any] = body_of(step.add, tops_in(game.level), "$")
+        yield played(game, step.add, game.add(body_with_numbers(body, float) if floats else body))
+    if step.remove is not None and isinstance(game, StepGame):
+        yield played(game, step.remove, game.remove(step.remove.body))
 
 
 def played(game: AnyGame, asked: Asked, moves: list[Fulfilled[Any]]) -> Played[Any]:

@@ -10,11 +10,22 @@ from pathlib import Path
 from typing import Any
 
 from reference.formats.files import FormatError, decode, one_line, pieces
-from reference.formats.level import Tops, position_of, position_record, tops_of, valid_level
+from reference.formats.level import (
+    BodyRecord,
+    Tops,
+    body_of,
+    position_of,
+    position_record,
+    tops_after,
+    tops_in,
+    tops_of,
+    valid_level,
+)
 from reference.formats.numbers import number_text
-from reference.formats.scenario import DriveRecord, RequestRecord, TickRecord, check_step
+from reference.formats.scenario import DriveRecord, RemoveRecord, RequestRecord, TickRecord, check_step
 from reference.formats.trace import EventRecord, HeaderRecord, LineRecord, MoveRecord, PlaceRecord, check_line
-from reference.play import ONE_BY_ONE, Played, Playing, format_of, play, profile_of
+from reference.plan import without
+from reference.play import ONE_BY_ONE, SAME_BODIES, Played, Playing, format_of, play, profile_of
 from reference.simulator import Fulfilled, Happened
 from reference.world import LevelError, World, standing
 from spec.body import Body, Level
@@ -63,10 +74,12 @@ def read_trace(path: Path) -> Recording:
 
 
 def undriven(path: Path, lines: Iterator[LineRecord]) -> Iterator[LineRecord]:
-    """The same lines; none may be a drive."""
+    """The same lines; none may be a drive, or let a body come or go."""
     for number, line in enumerate(lines, start=2):
         if line.drive is not None:
             raise FormatError(f"{path}:{number}: $.drive: {ONE_BY_ONE}")
+        if line.add is not None or line.remove is not None:
+            raise FormatError(f"{path}:{number}: $: {SAME_BODIES}")
         yield line
 
 
@@ -81,6 +94,7 @@ def read_lines(path: Path, content: Iterator[bytes], tops: Tops) -> Iterator[Lin
         if line.step is not None and line.step != number:
             raise FormatError(f"{where}: $.step: expected {number}, got {line.step}")
         try:
+            tops = tops_after(tops, *line.asked.comings, "$")
             check_line(line, tops)
         except LevelError as error:
             raise FormatError(one_line(f"{where}: {error}")) from None
@@ -103,8 +117,9 @@ def header_of(playing: Playing, floats: bool) -> HeaderRecord:
 
 def lines_of(playing: Playing) -> Iterator[LineRecord]:
     """The lines of the trace of a scenario, as it is played."""
-    level, events = playing.game.level, events_of(playing.game.profile)
-    return (line_of(step, number, level, events) for number, step in enumerate(playing.steps, start=1))
+    events = events_of(playing.game.profile)
+    for number, step in enumerate(playing.steps, start=1):
+        yield line_of(step, number, playing.game.level, events)
 
 
 def events_of(profile: AnyProfile) -> dict[str, str]:
@@ -119,6 +134,8 @@ def line_of(step: Played[Any], number: int, level: Level[Any], events: dict[str,
         request=step.asked if isinstance(step.asked, RequestRecord) else None,
         tick=step.asked if isinstance(step.asked, TickRecord) else None,
         drive=step.asked if isinstance(step.asked, DriveRecord) else None,
+        add=step.asked if isinstance(step.asked, BodyRecord) else None,
+        remove=step.asked if isinstance(step.asked, RemoveRecord) else None,
         moves=[move_record(move) for move in step.moves],
         events=list(event_records(step, events)),
         bodies=[place_record(body, level) for body in step.bodies],
@@ -160,14 +177,23 @@ def supports_of(bodies: tuple[Body[Any], ...], level: Level[Any]) -> dict[str, s
     return {body.name: bodies[body.left.edge - statics].name for body in bodies if body.left.edge >= statics}
 
 
+def following(level: Level[Fraction], line: LineRecord) -> Level[Fraction]:
+    """The level after a line: with the body that it adds, or without the one that it removes."""
+    if line.add is not None:
+        tops = tops_after(tops_in(level), line.add.name, None, "$")
+        return replace(level, bodies=(*level.bodies, body_of(line.add, tops, "$.add")))
+    if line.remove is not None:
+        return without(level, [body.name for body in level.bodies].index(line.remove.body))
+    return level
+
+
 def state_after(level: Level[Fraction], line: LineRecord) -> World[Fraction]:
     """The world in which a line of a trace says that its step ended: any state that bodies can be in, good or bad.
 
     Raises:
         LevelError: if bodies cannot be so.
     """
-    statics = len(level.graph.edges)
-    tops = Tops(statics, {body.name: statics + i for i, body in enumerate(level.bodies)})
+    tops = tops_in(level)
     places = {place.name: (f"$.bodies[{i}]", place) for i, place in enumerate(line.bodies)}
     bodies = []
     for body in level.bodies:

@@ -9,11 +9,11 @@ from typing import Any, Generic
 
 from reference.formats.numbers import exact
 from reference.formats.scenario import StepRecord
-from reference.plan import plan_of
+from reference.plan import check_added, plan_of, without
 from reference.simulator import Endless, Fulfilled, Happened
 from reference.storeys import StoreyWorld
-from reference.world import World
-from spec.body import Level
+from reference.world import LevelError, World, standing
+from spec.body import Body, Level
 from spec.graph import Direction
 from spec.number import N, greater, zero_like
 from spec.profiles import SteppedProfile
@@ -121,7 +121,7 @@ def who(what: Event[Any] | Change) -> tuple[int, int | None]:
 
 @dataclass
 class StepGame(Generic[N]):
-    """A level of storeys being played: requests and ticks, one after another.
+    """A level of storeys being played: requests, ticks and drives, one after another; bodies come and go.
 
     `most` is how many rules may fire in a step. The level is one of storeys, which is for `check_plan` to check, in
     exact numbers.
@@ -150,8 +150,38 @@ class StepGame(Generic[N]):
         """Drive bodies for a time: characters in the plane, boxes relative to what they stand on."""
         return self.step(*of_drive(self.level, speeds, duration))
 
+    def add(self, body: Body[N]) -> list[Fulfilled[N]]:
+        """Put a body into the level; it settles at once.
+
+        Raises:
+            LevelError: if it is not of the level's kind, or not clear of terrain and, by the margin, of other bodies.
+        """
+        level = replace(self.level, bodies=(*self.world.bodies, body))
+        storeys = self.storeys.with_place(self.plan.place(standing(level), len(self.names)))
+        check_added(level, storeys)
+        return self.go_on(level, storeys)
+
+    def remove(self, name: str) -> list[Fulfilled[N]]:
+        """Take a body out of the level; those that stood on it settle at once.
+
+        Raises:
+            LevelError: if it is the last one, or there is a button on its top.
+        """
+        body, statics = self.names.index(name), len(self.level.graph.edges)
+        if len(self.names) == 1:
+            raise LevelError("$", "expected another body to be left: a storey is as high as a body")
+        if any(button.edge == statics + body for button in self.level.buttons):
+            raise LevelError("$.body", f"there is a button on the top of {name!r}")
+        return self.go_on(without(self.level, body), self.storeys.without(body))
+
+    def go_on(self, level: Level[N], storeys: StoreyWorld[N]) -> list[Fulfilled[N]]:
+        """Go on with other bodies, which settle."""
+        self.level, self.plan, self.storeys = level, replace(self.plan, level=level), storeys
+        self.names = [body.name for body in level.bodies]
+        return self.step({}, zero_like(level.margin))
+
     def step(self, driven: Mapping[int, Drive[N]], duration: N) -> list[Fulfilled[N]]:
-        """Drive some bodies for a time; what came of it is told with the first of them."""
+        """Drive some bodies for a time; what came of it is told with the first of them, or of all if none is."""
         still = {body: Drive(zero_like(duration)) for body in range(len(self.names))}
         moments, record = run(self.profile.rules, self.storeys, {**still, **driven}, duration, self.most)
         self.world = World(replace(self.level, bodies=self.plan.bodies(self.storeys)))
@@ -160,7 +190,7 @@ class StepGame(Generic[N]):
         happened = tuple(told(self.names, duration, moments))
         work = {"events": sum(len(moment.events) for moment in moments), "choices": record.chosen}
         results = []
-        for body, drive in driven.items():
+        for body, drive in (driven or {0: still[0]}).items():
             moved = sum_of([moment.velocities[body] * moment.moved for moment in moments], duration)
             asked = drive.speed * duration
             results.append(Fulfilled(self.names[body], asked, moved, fired, max(1, len(movers)), work, happened))

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
+from itertools import pairwise
 from typing import Generic
 
 from spec.graph import Direction
@@ -87,6 +88,17 @@ class StoreyWorld(Generic[N]):
         """Where a body is, from border to border."""
         return Interval(self.places[body].left, self.places[body].right)
 
+    def with_place(self, place: Place[N]) -> StoreyWorld[N]:
+        """The same with one body more, the last."""
+        return StoreyWorld(self.terrain, self.margin, [*self.places, place])
+
+    def without(self, body: int) -> StoreyWorld[N]:
+        """The same without a body; those that stood on it have lost their support, and later ones count one less."""
+        supports = {other: other - (other > body) for other in range(len(self.places)) if other != body}
+        rest = [place for other, place in enumerate(self.places) if other != body]
+        kept = [replace(place, support=supports.get(-1 if place.support is None else place.support)) for place in rest]
+        return StoreyWorld(self.terrain, self.margin, kept)
+
     def storeys(self) -> Sequence[int]:
         """The storeys on which bodies stand, the lowest first."""
         return sorted(storey for storey, row in self.rows.items() if row)
@@ -113,6 +125,13 @@ class StoreyWorld(Generic[N]):
             for left, right in zip(row, [*row[1:], *row[:1]], strict=True):
                 follows = self.terrain.circumference is not None or right is not row[0]
                 if follows and left != right and self.free_between(left, right):
+                    yield left, right
+
+    def at_one_place(self) -> Iterator[tuple[int, int]]:
+        """Bodies on one storey whose left borders are at one place: on a ring no gap tells that they overlap."""
+        for row in self.rows.values():
+            for left, right in pairwise(row):
+                if self.places[left].left == self.places[right].left:
                     yield left, right
 
     def free_between(self, left: int, right: int) -> bool:

@@ -76,6 +76,12 @@ def split(level: Level[N], edge: int, at: N, vertex: Vertex[N]) -> Level[N]:
     return replace(level, graph=graph, bodies=tuple(with_borders(body, renamed) for body in level.bodies))
 
 
+def body_with_numbers(body: Body[Any], number: Callable[[Any], Any]) -> Body[Any]:
+    """The body in other numbers."""
+    moved = with_borders(body, lambda at: replace(at, location=number(at.location)))
+    return replace(moved, speed=number(body.speed), height=number(body.height))
+
+
 def with_numbers(level: Level[Any], number: Callable[[Any], Any], slope: Callable[[Any], Any]) -> Level[Any]:
     """The level in other numbers; `slope` is for the run and rise of edges, which are constants of the graph."""
 
@@ -91,10 +97,7 @@ def with_numbers(level: Level[Any], number: Callable[[Any], Any], slope: Callabl
         for e in graph.edges
     ]
     vertices = [Vertex(number(v.x), number(v.y)) for v in graph.vertices]
-    bodies = [
-        replace(with_borders(body, same_place), speed=number(body.speed), height=number(body.height))
-        for body in level.bodies
-    ]
+    bodies = [body_with_numbers(body, number) for body in level.bodies]
     return Level(
         Graph(tuple(vertices), tuple(edges), maybe(graph.circumference)),
         number(level.margin),

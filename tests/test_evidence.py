@@ -39,11 +39,11 @@ FLOORS_OF_VERDICTS = {
         whole-rows terrain plane-apart-of-two horizontal-alone supports-end never-raised height-kept
         supports-end/overshoot never-raised/overshoot height-kept/overshoot
         step-margin step-terrain step-support step-seat step-order step-motion step-not-raised step-bystanders
-        step-progress step-squeezed step-one-key step-instants step-split step-mirror whole-steps
+        step-progress step-squeezed step-one-key step-instants step-split step-mirror whole-steps requests-end-alike
     """,
     TESTED: """
         rule-count queries-of-a-push queries-at-transitions long-strings walls-reached-exactly every-rule-fires
-        every-step-rule-fires step-body-order step-riders step-furthest
+        step-body-order step-riders step-furthest differences-have-causes witnesses-mended
     """,
     REFUTED: """
         no-overlap-on-short-edges pushing-on-short-edges split-anywhere additive-on-any-ring

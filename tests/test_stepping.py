@@ -102,7 +102,10 @@ def test_a_level_that_is_not_one_of_storeys_is_refused_by_its_place(tmp_path, ch
         (drive(A="x"), r"\$\.steps\[0\]\.drive\.speeds: expected a number"),
         (drive("-1", A="1"), r"\$\.steps\[0\]\.drive\.time: expected a time of at least 0, got -1"),
         (drive("1e400", A="1"), r"\$\.steps\[0\]\.drive\.time"),
-        (drive(A="1") | {"tick": {"key": "left"}}, r"\$\.steps\[0\]: expected either `request` or `tick` or `drive`"),
+        (
+            drive(A="1") | {"tick": {"key": "left"}},
+            r"\$\.steps\[0\]: expected one of `request`, `tick`, `drive`, `add` and `remove`",
+        ),
     ],
 )
 def test_a_bad_drive_is_refused(tmp_path, step, expected):

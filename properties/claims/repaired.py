@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from fractions import Fraction
 
-from properties.claims.claim import Claim, Count, Obligation, Verdict
+from properties.claims.claim import Claim, Obligation, Verdict
 from properties.claims.string import of_rules
-from properties.contracts import counts, step_families, steps
+from properties.contracts import step_families, steps
 from properties.given import Given
 from properties.worlds.storeys import Member, Setting
 from spec.conditions import STOREYS_START
@@ -150,16 +150,5 @@ CLAIMS: tuple[Claim, ...] = (
         expected=BOUNDED,
         obligations=LARGER_STEPS,
         long=True,
-    ),
-    Claim(
-        id="claim/every-step-rule-fires",
-        family="work",
-        sentence="Every rule of a step fires in a scenario of the library.",
-        source="6.2.1; R5",
-        about="rules",
-        profile=REPAIRED,
-        premises=(),
-        expected=TESTED,
-        counts=(Count("counts/every-rule-fires", counts.every_rule_fires),),
     ),
 )

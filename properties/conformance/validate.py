@@ -25,7 +25,7 @@ from properties.conformance.stepping import OfSteps
 from reference.formats.files import FormatError, one_line
 from reference.formats.trace import LineRecord
 from reference.plan import check_plan, plan_of
-from reference.recording import Recording, read_trace, state_after
+from reference.recording import Recording, following, read_trace, state_after
 from reference.rounding import tolerance as rounding
 from reference.simulator import Endless
 from reference.world import LevelError, World
@@ -102,8 +102,8 @@ def validate(path: Path) -> Report:
     except LevelError as error:
         raise FormatError(one_line(f"{path}:1: {error}")) from None
     try:
-        for step in steps_of(path, log, referee):
-            look_at(step, log, referee, grid, report)
+        for step, log_now, referee_now in steps_of(path, log, referee):
+            look_at(step, log_now, referee_now, grid, report)
     except Endless as error:
         report.unread = f"{path}:{step.number}: $: {error}"
     except FormatError as error:
@@ -129,8 +129,16 @@ def referee_of(log: Recording) -> Referee:
     return OfSteps(plan_of(log.level), log.profile)
 
 
-def steps_of(path: Path, log: Recording, referee: Referee) -> Iterator[Step]:
-    """The steps of a log, one after another.
+def referee_after(log: Recording, referee: Referee) -> Referee:
+    """The judge of a log when bodies have come or gone."""
+    assert isinstance(referee, OfSteps)
+    return replace(referee, plan=replace(referee.plan, level=log.level))
+
+
+def steps_of(path: Path, log: Recording, referee: Referee) -> Iterator[tuple[Step, Recording, Referee]]:
+    """The steps of a log, one after another, each with the level and the judge that it is for.
+
+    A line in which a body comes or goes is no step to be judged: the steps after it go on from the state that it gives.
 
     Raises:
         FormatError: at the first line that is none.
@@ -138,8 +146,13 @@ def steps_of(path: Path, log: Recording, referee: Referee) -> Iterator[Step]:
     """
     state = World(log.level)
     for number, line in enumerate(log.lines, start=2):
+        if line.add is not None or line.remove is not None:
+            log = replace(log, level=following(log.level, line))
+            referee = referee_after(log, referee)
+            state = world_after(log, line, f"{path}:{number}")
+            continue
         asked, after = referee.asked(line), world_after(log, line, f"{path}:{number}")
-        yield Step(number, state, asked, line, after)
+        yield Step(number, state, asked, line, after), log, referee
         state = after
 
 

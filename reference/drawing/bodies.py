@@ -19,11 +19,13 @@ from spec.plane import Box
 
 
 def draw_ghosts(canvas: Canvas) -> None:
-    """Where bodies that have moved were before."""
-    if canvas.frame.before is None:
+    """Where bodies that have moved, or gone, were before."""
+    before = canvas.frame.before
+    if before is None:
         return
-    for old, new in zip(scene.outlines(canvas.frame.before), scene.outlines(canvas.world), strict=True):
-        if old.bottom != new.bottom:
+    now = {canvas.world.bodies[shape.body].name: shape.bottom for shape in scene.outlines(canvas.world)}
+    for old in scene.outlines(before):
+        if now.get(before.bodies[old.body].name) != old.bottom:
             for by in canvas.images(old.left, old.right):
                 line(canvas.group, "ghost", *corners(canvas.lens, old.shifted(by)), close=True)
                 canvas.shown.add("ghost")

@@ -245,13 +245,15 @@ def cropped(whole: Range, bodies: Range, asked: Range, most: Fraction) -> Range:
 def window_of(worlds: Sequence[World[Any]], asked: set[str], most: int) -> Window:
     """What a picture of some worlds of one level shows: all of it, or a part at most so many middling bodies long."""
     first, longest = worlds[0], unit_of(worlds[0]) * most
-    edges, shapes = segments(first), [shape for world in worlds for shape in outlines(world)]
-    whole = range_of([x for edge in edges for x in (edge.start[0], edge.end[0])] + ends(shapes, first))
+    edges, named = segments(first), [(world.bodies[one.body].name, one) for world in worlds for one in outlines(world)]
+    places = ends([shape for _, shape in named], first)
+    whole = range_of([x for edge in edges for x in (edge.start[0], edge.end[0])] + places)
     if first.graph.circumference is not None:
         start = min(Fraction(vertex.x) for vertex in first.graph.vertices)
         whole = start, start + Fraction(first.graph.circumference)
-        shapes = [shape.shifted(by) for shape in shapes for by in images(first, (shape.left, shape.left), whole)]
-    movers = [shape for shape in shapes if first.bodies[shape.body].name in asked] or shapes[:1]
+        named = [(name, one.shifted(by)) for name, one in named for by in images(first, (one.left, one.left), whole)]
+    shapes = [shape for _, shape in named]
+    movers = [shape for name, shape in named if name in asked] or shapes[:1]
     sides = cropped(whole, range_of(ends(shapes, first) or whole), range_of(ends(movers, first) or whole), longest)
     heights = [y for edge in edges for y in levels(first, edge, sides)]
     heights += [y for shape in shapes if shape.right >= sides[0] and shape.left <= sides[1] for y in storey(shape)]

@@ -98,6 +98,30 @@ class Tops:
     edges: dict[str, int]
 
 
+def tops_in(level: Level[Any]) -> Tops:
+    """The edges of the tops of the bodies of a level."""
+    statics = len(level.graph.edges)
+    return Tops(statics, {body.name: statics + i for i, body in enumerate(level.bodies)})
+
+
+def tops_after(tops: Tops, added: str | None, removed: str | None, place: str) -> Tops:
+    """The tops when a body is added or removed; those after one that is removed are numbered anew.
+
+    Raises:
+        LevelError: if a body that is added has another's name, or none has that of one to be removed.
+    """
+    names = list(tops.edges)
+    if added is not None:
+        if added in names:
+            raise LevelError(f"{place}.add.name", f"expected a name of its own, got {added!r} again")
+        names.append(added)
+    if removed is not None:
+        if removed not in names:
+            raise LevelError(f"{place}.remove.body", f"no body is named {removed!r}")
+        names.remove(removed)
+    return Tops(tops.statics, {name: tops.statics + i for i, name in enumerate(names)})
+
+
 def position_of(record: Position, tops: Tops, place: str) -> EdgePosition[Fraction]:
     """An edge position with exact numbers.
 

@@ -8,7 +8,7 @@ from typing import Annotated, Literal
 from msgspec import Meta
 
 from reference.formats.files import MOST_ITEMS, FormatError, Many, Name, Record, read, says
-from reference.formats.level import LevelRecord
+from reference.formats.level import BodyRecord, LevelRecord
 from reference.formats.numbers import Number
 from spec.profiles import PROFILES
 
@@ -44,20 +44,36 @@ class DriveRecord(Record, frozen=True):
     time: Annotated[Number, says("for how long, in seconds, at least 0")]
 
 
-Asked = RequestRecord | TickRecord | DriveRecord
+class RemoveRecord(Record, frozen=True):
+    """A body is taken out of the level; only under `repaired`. Those that stood on it settle at once."""
+
+    body: Annotated[Name, says("whom")]
+
+
+Asked = RequestRecord | TickRecord | DriveRecord | BodyRecord | RemoveRecord
 
 
 class StepRecord(Record, frozen=True):
-    """One step of a scenario. One of `request`, `tick` and `drive` is given."""
+    """One step of a scenario. One of `request`, `tick`, `drive`, `add` and `remove` is given."""
 
     request: Annotated[RequestRecord | None, says("a body is to move by a distance")] = None
     tick: Annotated[TickRecord | None, says("a key is held")] = None
     drive: Annotated[DriveRecord | None, says("bodies are driven for a time; only under `repaired`")] = None
+    add: Annotated[
+        BodyRecord | None,
+        says("a body is put into the level, where it is clear of all else, and settles; only under `repaired`"),
+    ] = None
+    remove: Annotated[RemoveRecord | None, says("a body is taken out of the level; only under `repaired`")] = None
+
+    @property
+    def comings(self) -> tuple[str | None, str | None]:
+        """The name of the body that comes, and of the one that goes."""
+        return None if self.add is None else self.add.name, None if self.remove is None else self.remove.body
 
     @property
     def asked(self) -> list[Asked]:
         """What is given: one thing, in a step as it must be."""
-        return [one for one in (self.request, self.tick, self.drive) if one is not None]
+        return [one for one in (self.request, self.tick, self.drive, self.add, self.remove) if one is not None]
 
 
 class ScenarioRecord(Record, frozen=True):
@@ -75,13 +91,13 @@ class ScenarioRecord(Record, frozen=True):
 
 
 def check_step(asked: StepRecord, where: str) -> None:
-    """Refuse a step that is not one of a request, ticks and a drive; `where` names the file and the place.
+    """Refuse a step that is not one thing that can be asked; `where` names the file and the place.
 
     Raises:
         FormatError: if it is several or none.
     """
     if len(asked.asked) != 1:
-        raise FormatError(f"{where}: expected either `request` or `tick` or `drive`")
+        raise FormatError(f"{where}: expected one of `request`, `tick`, `drive`, `add` and `remove`")
 
 
 def read_scenario(path: Path) -> tuple[ScenarioRecord, LevelRecord]:

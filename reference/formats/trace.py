@@ -9,9 +9,9 @@ from typing import Annotated, Literal
 from msgspec import Meta
 
 from reference.formats.files import Many, Name, Record, says
-from reference.formats.level import LevelRecord, Position, Tops, position_of
+from reference.formats.level import BodyRecord, LevelRecord, Position, Tops, body_of, position_of
 from reference.formats.numbers import Number, check_sums, exact
-from reference.formats.scenario import DriveRecord, ProfileName, RequestRecord, StepRecord, TickRecord
+from reference.formats.scenario import DriveRecord, ProfileName, RemoveRecord, RequestRecord, StepRecord, TickRecord
 from reference.world import LevelError
 
 Count = Annotated[int, Meta(ge=1)]
@@ -75,18 +75,24 @@ class PlaceRecord(Record, frozen=True):
 
 
 class LineRecord(Record, frozen=True, kw_only=True):
-    """Any other line of a trace: a step and the state after it. One of `request`, `tick` and `drive` is given.
+    """Any other line of a trace: a step and the state after it.
 
-    What is left out is not judged.
+    One of `request`, `tick`, `drive`, `add` and `remove` is given. What is left out is not judged.
     """
 
     step: Annotated[Count | None, says("the number of the step, counted from 1")] = None
     request: Annotated[RequestRecord | None, says("a body was to move by a distance")] = None
     tick: Annotated[TickRecord | None, says("a key was held")] = None
     drive: Annotated[DriveRecord | None, says("bodies were driven for a time; only under `repaired`")] = None
+    add: Annotated[BodyRecord | None, says("a body was put into the level, there; only under `repaired`" + ASIDE)] = (
+        None
+    )
+    remove: Annotated[RemoveRecord | None, says("a body was taken out of the level; only under `repaired`" + ASIDE)] = (
+        None
+    )
     moves: Annotated[Many[MoveRecord] | None, says("the requests as they were fulfilled, in order")] = None
     events: Annotated[list[EventRecord] | None, says("what happened, in order")] = None
-    bodies: Annotated[Many[PlaceRecord], says("where all bodies of the level are after the step")]
+    bodies: Annotated[Many[PlaceRecord], says("where all bodies that are in the level then are after the step")]
     supports: Annotated[
         dict[Name, Name] | None, says("after the step, for each body that stands on another, that other's name")
     ] = None
@@ -96,7 +102,7 @@ class LineRecord(Record, frozen=True, kw_only=True):
     @property
     def asked(self) -> StepRecord:
         """What was asked, as a step of a scenario."""
-        return StepRecord(self.request, self.tick, self.drive)
+        return StepRecord(self.request, self.tick, self.drive, self.add, self.remove)
 
 
 def check_line(line: LineRecord, tops: Tops) -> None:
@@ -120,6 +126,8 @@ def check_line(line: LineRecord, tops: Tops) -> None:
     if line.request is not None:
         check_name(line.request.body, tops, "$.request.body")
         exact(line.request.distance, "$.request.distance")
+    if line.add is not None:
+        body_of(line.add, tops, "$.add")
     for name in line.drive.speeds if line.drive is not None else ():
         check_name(name, tops, "$.drive.speeds")
     check_said(line, tops)

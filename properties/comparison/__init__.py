@@ -1,0 +1,1 @@
+"""The profiles `thesis` and `repaired`, step by step from the same states."""
