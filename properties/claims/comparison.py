@@ -10,12 +10,12 @@ from properties.comparison import campaign
 from properties.contracts import alike
 from properties.evidence import mended
 from spec.graph import Direction
-from spec.profiles import THESIS, Profile
+from spec.profiles import REPAIRED, THESIS, AnyProfile
 
 SCENARIOS = 3_000
 
 
-def differences_have_causes(profile: Profile) -> int:
+def differences_have_causes(profile: AnyProfile) -> int:
     """Each random scenario ends alike, or differs by a known cause; plain ones end alike."""
     tally = campaign.part(campaign.SEED, SCENARIOS)
     assert not tally.unexplained, f"without a cause: {tally.unexplained[0]}"
@@ -23,10 +23,10 @@ def differences_have_causes(profile: Profile) -> int:
     return tally.scenarios
 
 
-def counted(name: str, about: str, sentence: str, source: str, program: Callable[[Profile], int]) -> Claim:
+def counted(name: str, about: str, sentence: str, source: str, program: Callable[[AnyProfile], int]) -> Claim:
     """A claim about what was counted under both profiles."""
     counts = (Count(name, program),)
-    return Claim(f"claim/{name}", "comparison", sentence, source, about, THESIS, (), Verdict.TESTED, counts=counts)
+    return Claim(f"claim/{name}", "comparison", sentence, source, about, REPAIRED, (), Verdict.TESTED, counts=counts)
 
 
 CLAIMS: tuple[Claim, ...] = (

@@ -13,7 +13,7 @@ from reference.world import World
 from spec.graph import Direction
 from spec.invariants import Deed
 from spec.plane import NEVER_RAISED, PLANE_MARGIN, SUPPORTS_END, TERRAIN
-from spec.profiles import REPAIRED, Profile
+from spec.profiles import REPAIRED, AnyProfile
 
 ZERO = Fraction(0)
 STOPS = {"way/wall", "way/slower", "row/squeezed", "row/ring"}
@@ -86,7 +86,7 @@ def broken_by(step: Played[Fraction]) -> Iterator[str]:
             yield f"{move.body} is asked for {move.asked} and moves {move.moved}"
 
 
-def witnesses_mended(profile: Profile) -> int:
+def witnesses_mended(profile: AnyProfile) -> int:
     """Every scenario in which the thesis breaks something keeps its promises under the repaired rules."""
     for name in SHOWN:
         assert replayed(LIBRARY / "scenarios" / f"{name}.json"), f"{name} has no steps"
