@@ -155,6 +155,7 @@ def simulate(
     as_json: Annotated[bool, typer.Option("--json", help="One JSON line per step.")] = False,
 ) -> None:
     """Play a scenario, step by step, with the rules that fired."""
+    from collections import deque
     from itertools import chain
 
     import msgspec
@@ -166,6 +167,8 @@ def simulate(
     from reference.recording import header_of, lines_of
 
     try:
+        if any(step.add or step.remove for step in play(scenario, floats).scenario.steps):
+            deque(play(scenario, floats).steps, maxlen=0)
         playing = play(scenario, floats)
     except FormatError as error:
         refuse(str(error))

@@ -20,7 +20,7 @@ from properties.results import Results
 from reference.formats.files import FormatError, read
 from reference.play import LIBRARY, library, play
 from reference.simulator import Fulfilled
-from spec.differences import Difference
+from spec.differences import DIFFERENCES, Difference
 from spec.models import Model
 from spec.profiles import Profile, SteppedProfile
 from spec.readings import Reading
@@ -130,6 +130,8 @@ def facts(statement: Statement) -> Iterator[Fact]:
         yield from of_claim(statement)
     elif isinstance(statement, Profile | SteppedProfile):
         yield from (Fact(one.kind, f"{one.id}: {one.sentence}") for one in text_of(statement))
+        if isinstance(statement, SteppedProfile):
+            yield from (Fact("unlike thesis", f"{one.id}: {one.sentence}") for one in DIFFERENCES)
     elif isinstance(statement, Model | Difference):
         yield Fact("seen in scenario", statement.scenario)
         yield replay(LIBRARY / "scenarios" / f"{statement.scenario}.json")

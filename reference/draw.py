@@ -19,6 +19,7 @@ from reference.formats.numbers import exact
 from reference.formats.trace import LineRecord, MoveRecord
 from reference.recording import Recording, following, state_after
 from reference.world import LevelError, World
+from spec.profiles import Profile
 
 WIDTH = 900.0
 EDGE = 20.0
@@ -42,7 +43,8 @@ def frames(recording: Recording) -> Iterator[Frame]:
     """
     level = recording.level
     world = World(level)
-    yield Frame(0, world, pressed(world, None))
+    jumps = isinstance(recording.profile, Profile)
+    yield Frame(0, world, pressed(world, None), jumps=jumps)
     for step, line in enumerate(recording.lines, start=1):
         before = world
         try:
@@ -50,7 +52,7 @@ def frames(recording: Recording) -> Iterator[Frame]:
             world = state_after(level, line)
         except LevelError as error:
             raise BadLine(one_line(f"{step + 1}: {error}")) from None
-        yield Frame(step, world, pressed(world, line), before, line)
+        yield Frame(step, world, pressed(world, line), before, line, jumps)
 
 
 def pressed(world: World[Fraction], line: LineRecord | None) -> tuple[bool, ...]:

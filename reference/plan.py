@@ -246,10 +246,10 @@ def check_edge(level: Level[Fraction], index: int, edge: Edge[Fraction]) -> None
     place, height = f"$.vertices[{edge.left}]", level.bodies[0].height
     if edge.type is EdgeType.FALL:
         if edge.run:
-            raise LevelError(place, f"expected fall edge {index} to be vertical")
+            raise LevelError(place, f"expected fall edge {index}, which begins here, to be vertical")
         return
     if edge.rise:
-        raise LevelError(place, f"expected ground edge {index} to be level")
+        raise LevelError(place, f"expected ground edge {index}, which begins here, to be level, got one that rises")
     up = height_of(level, edge) - base_of(level)
     if up % height:
         raise LevelError(f"{place}.y", f"expected a multiple of {height}, a body's height, above the floor, got {up}")
@@ -291,7 +291,18 @@ def check_ends(level: Level[Fraction]) -> None:
             x = string.start + (string.row.length if direction is Direction.RIGHT else 0)
             if world.facing(direction).fall_edge(edge) is None and is_open(plan, string.storey, x, direction):
                 vertex = level.graph.edges[edge].towards(direction)
-                raise LevelError(f"$.vertices[{vertex}]", "expected a wall or a fall edge where the ground ends")
+                raise LevelError(f"$.vertices[{vertex}]", open_end(level, vertex, direction))
+
+
+def open_end(level: Level[Fraction], vertex: int, direction: Direction) -> str:
+    """What is expected where ground ends in the open: a fall edge that leaves in that direction."""
+    expected = (
+        f"ground ends to the {direction.name.lower()} in the open: expected a fall edge that leads down from here"
+    )
+    for index, edge in enumerate(level.graph.edges):
+        if edge.type is EdgeType.FALL and vertex in (edge.left, edge.right):
+            return f"{expected}; fall edge {index} is there, with its left and right vertex the wrong way round"
+    return f"{expected}, or terrain beyond"
 
 
 def is_open(plan: Plan[Fraction], storey: int, x: Fraction, direction: Direction) -> bool:

@@ -38,7 +38,7 @@ from spec.transform import body_with_numbers, in_floats
 LIBRARY = Path(__file__).parent
 
 SAME_BODIES = "expected a request or a tick: under this profile a level keeps its bodies"
-ONE_BY_ONE = "expected a request or a tick: under this profile bodies move one after another"
+ONE_BY_ONE = 'expected a request or a tick: only under "profile": "repaired" are bodies driven, all at once'
 
 AnyGame = Game[Any] | StepGame[Any]
 

@@ -104,7 +104,8 @@ OF_STOREYS: tuple[Model, ...] = (
     Model(
         "model/holds",
         "The ground holds a body while the two overlap by more than 0. A body holds one that is a storey above it "
-        "while the two overlap, or the gap between their borders is less than the margin.",
+        "while the two overlap, or the gap between their borders is less than the margin; at a gap of the margin it "
+        "holds no more.",
         "6.2.1d, 7.2; R21, A14, U5, U7",
         "repaired-slot",
     ),
@@ -127,12 +128,14 @@ OF_STOREYS: tuple[Model, ...] = (
     ),
     Model(
         "model/step",
-        "A step settles all bodies whose support does not hold. It records as in contact each two neighbours whose "
-        "gap is not greater than the margin, and as at a wall each body whose distance to one is 0. Then, until its "
-        "time is up: velocities are found; all bodies move with them up to the earliest event that comes, or to the "
-        "end of the step; all events of that instant are recorded; all bodies whose support was lost settle. So the "
-        "last instant has its events and its settling too, and a step of no time only settles and records. Events of "
-        "one instant may be told in any order.",
+        "A step takes a time, at least 0, and goes so. (1) All bodies whose support does not hold settle "
+        "(model/settling). (2) Each two neighbours whose gap is not greater than the margin are recorded as in "
+        "contact, and each body whose distance to a wall is 0 as at that wall. (3) Velocities are found "
+        "(model/velocities). (4) Of the events that come if all go on so (event/...), and of the end of the step, the "
+        "earliest is the next instant; all bodies move with their velocities up to it. (5) All events of that instant "
+        "are recorded, records that are over are dropped (model/records), and whoever lost its support settles. (6) "
+        "If time is left, it goes on with (3). So the last instant has its events and its settling too, and a step of "
+        "no time only settles and records. Events of one instant may be told in any order.",
         "6.2.1, 5.2; R5, R10, R23, A1",
         "repaired-fills-pit",
     ),
@@ -146,15 +149,15 @@ OF_STOREYS: tuple[Model, ...] = (
     ),
     Model(
         "model/row",
-        "In a row, first each body has its wish (wish). The part of it to the right, at least 0, is passed on from "
-        "left to right: each body's speed to the right is its own or a greater one that the body on its left passes "
-        "to it (row/own, row/pushed), and it passes its speed on, or 0 (row/passes-on, row/passes-nothing). Likewise "
-        "to the left, from right to left. A body with speeds greater than 0 both ways is squeezed (row/squeezed), so "
-        "is all of a row that closes on itself (row/ring): from here on their wish is 0, they pass nothing on, and "
-        "there is a wall to them on both sides. With that, wishes are passed on once more. At last, for each "
-        "direction, from the front-most body backwards, each speed is cut to what the wall, or the body in contact "
-        "ahead, lets it (way); the speed ahead that counts is the one in that direction, at least 0. The velocity is "
-        "the speed to the right less the speed to the left.",
+        "In a row, first each body has its wish (wish/...). The part of it to the right, at least 0, is passed on "
+        "from left to right: each body's speed to the right is its own or a greater one that the body on its left "
+        "passes to it (row/own, row/pushed), and it passes its speed on, or 0 (row/passes-on, row/passes-nothing). "
+        "Likewise to the left, from right to left. A body with speeds greater than 0 both ways is squeezed "
+        "(row/squeezed), so is all of a row that closes on itself (row/ring): from here on their wish is 0, they pass "
+        "nothing on, and there is a wall to them on both sides. With that, wishes are passed on once more, and nobody "
+        "is judged squeezed again. At last, for each direction, from the front-most body backwards, each speed is cut "
+        "to that of the body in contact ahead, or to 0 at a wall (way/...); the speed ahead that counts is the one in "
+        "that direction, at least 0. The velocity is the speed to the right less the speed to the left.",
         "4.2, 6.2.1c; R6, R20, A2, A3, A53",
         "repaired-squeezed-passes-nothing",
     ),
@@ -170,11 +173,12 @@ OF_STOREYS: tuple[Model, ...] = (
     Model(
         "model/settling",
         "Settling looks at the bodies once, lowest storey first, so that a rider looks after what carries it. A body "
-        "that has lost its support, or whose support is no longer one storey below it, looks for another (settle), "
-        "and where it falls, again from the storey below. A support that it has moved off at this instant does not "
-        "count; one that has fallen counts where it is again one storey below. Its motion is its velocity less that "
-        "of the support it lost, both as they were up to now; at the beginning of a step it is 0. Settling takes no "
-        "time.",
+        "that has lost its support, or whose support is no longer one storey below it, looks for another by the rules "
+        "settle/...: ground first, then a top, and where there is none it falls and looks again from the storey "
+        "below. A support that it has moved off at this instant does not count, be it ground or a top; one that has "
+        "fallen counts where it is again one storey below. Its motion is its velocity less that of the support it "
+        "lost, both as they were up to now; at the beginning of a step it is 0. Settling takes no time. Whoever falls "
+        "between others is nowhere nearer to them than the margin: one that was would hold it (model/holds).",
         "6.2.1d, 6.2.1e; R21, R22, R23, A4, A28, A48, P8",
         "repaired-support-falls",
     ),

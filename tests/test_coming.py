@@ -193,7 +193,7 @@ def test_a_trace_tells_who_is_there_and_is_drawn_and_judged(tmp_path):
     assert there[-1] == ["A", "Chest", "Crate"]
     report = validate(path)
     assert report.conforms
-    assert sum(report.found.values()) == 4
+    assert sum(report.found.values()) == 8
     assert "Chest comes" in "".join(pages(recording(path), 6))
     states = json.loads("".join(text(recording(path))))["states"]
     assert [state["action"]["tag"] for state in states[:4]] == ["Start", "Remove", "Add", "Add"]

@@ -19,9 +19,10 @@ from properties.conformance.ways import MOST_DECISIONS, MOST_OUTCOMES, MOST_WAYS
 from properties.pages import with_tables
 from properties.results import ClaimResult, Evidence, Ledger, Results
 from properties.schemas import KINDS, schema
-from reference.formats.files import MOST_BYTES, MOST_CHARACTERS, MOST_ITEMS
-from reference.formats.level import MOST_BUTTONS
+from reference.formats.files import MOST_BYTES, MOST_CHARACTERS, MOST_ITEMS, read
+from reference.formats.level import MOST_BUTTONS, LevelRecord, valid_level
 from reference.formats.numbers import MOST_DIGITS, MOST_LONG
+from reference.plan import check_plan
 from reference.play import LIBRARY, library, play
 from reference.recording import recording
 from reference.rounding import ROUNDINGS
@@ -198,9 +199,10 @@ def blocks(language):
 def examples(tmp_path, monkeypatch):
     """The examples on the page as files, in the directory in which the commands run."""
     monkeypatch.chdir(tmp_path)
-    level, platform, scenario = blocks("json")
+    level, platform, scenario, storeys = blocks("json")
     (trace,) = blocks("jsonl")
-    files = {"level.json": level, "platform.json": platform, "scenario.json": scenario, "trace.jsonl": trace}
+    files = {"level.json": level, "platform.json": platform, "scenario.json": scenario, "storeys.json": storeys}
+    files["trace.jsonl"] = trace
     for name, content in files.items():
         (tmp_path / name).write_text(content)
 
@@ -213,6 +215,7 @@ def test_the_examples_on_the_page_are_as_the_schemas_say_and_do_what_the_page_sa
         check("trace", json.loads(line))
     assert graphbody("simulate", "level.json").exit_code == 0
     assert graphbody("simulate", "platform.json").exit_code == 0
+    check_plan(valid_level(read(Path("storeys.json"), LevelRecord), "$"))
     played = graphbody("simulate", "scenario.json")
     assert played.exit_code == 0
     assert "".join(f"    {line}".rstrip() + "\n" for line in played.stdout.splitlines()) in PAGE.read_text()

@@ -61,8 +61,8 @@ def drive(time: str = "1", **speeds: str) -> dict:
 @pytest.mark.parametrize(
     ("change", "expected"),
     [
-        ({"vertices": [["0", "0"], ["4", "3"]]}, r"\$\.level\.vertices\[0\]: expected ground edge 0 to be level"),
-        ({"vertices": [["0", "13"], ["4", "13"], ["9", "1"], ["12", "1"]]}, r"expected fall edge 1 to be vertical"),
+        ({"vertices": [["0", "0"], ["4", "3"]]}, r"\$\.level\.vertices\[0\]: expected ground edge 0, .* to be level"),
+        ({"vertices": [["0", "13"], ["4", "13"], ["9", "1"], ["12", "1"]]}, r"expected fall edge 1, .* to be vertical"),
         ({"vertices": [["0", "1"], ["4", "1"], ["4", "1/2"], ["9", "1/2"]]}, r"vertices\[0\]\.y: .* a multiple of 1"),
         ({"vertices": [["0", "1"], ["4", "1"], ["4", "0"], ["6", "0"]], "margin": "1"}, r"expected a width greater"),
         (
@@ -79,7 +79,7 @@ def drive(time: str = "1", **speeds: str) -> dict:
             {"edges": [{"left": 0, "right": 1, "type": "ground"},
                        {"left": 2, "right": 3, "type": "ground", "thickness": "1"}],
              "vertices": [["0", "0"], ["9", "0"], ["4", "2"], ["9", "2"]]},
-            r"\$\.level\.vertices\[2\]: expected a wall or a fall edge where the ground ends",
+            r"\$\.level\.vertices\[2\]: ground ends to the left in the open: expected a fall edge",
         ),
         (
             {"edges": [{"left": 0, "right": 1, "type": "ground"},
@@ -93,6 +93,15 @@ def drive(time: str = "1", **speeds: str) -> dict:
 def test_a_level_that_is_not_one_of_storeys_is_refused_by_its_place(tmp_path, change, expected):
     with pytest.raises(FormatError, match=expected):
         play(scenario(tmp_path, [], LEVEL | change))
+
+
+def test_a_fall_edge_the_wrong_way_round_is_named(tmp_path):
+    ends = [(0, 1, "ground"), (2, 3, "ground"), (1, 4, "ground"), (2, 1, "fall")]
+    edges = [{"left": left, "right": right, "type": kind} for left, right, kind in ends]
+    edges[1]["thickness"] = "1"
+    level = LEVEL | {"vertices": [["0", "0"], ["4", "0"], ["4", "2"], ["9", "2"], ["9", "0"]], "edges": edges}
+    with pytest.raises(FormatError, match=r"vertices\[2\]: .* fall edge 3 is there, with its left and right"):
+        play(scenario(tmp_path, [], level))
 
 
 @pytest.mark.parametrize(
@@ -156,6 +165,56 @@ def test_what_a_step_does_that_no_rule_does_is_told_with_what_the_rules_do(tmp_p
     replay = tmp_path / "replay.json"
     replay.write_bytes(msgspec.json.encode(report.first.scenario))
     assert next(iter(play(replay).steps)).moves[0].body == "A"
+
+
+@pytest.mark.parametrize("off", [1 / 8, -1 / 8, 1e-6])
+def test_a_wrong_step_of_floats_is_told(tmp_path, off):
+    lines = trace(scenario(tmp_path, [drive("5", A="1"), drive("1/2", A="-1")]), floats=True)
+    for border in ("left", "right"):
+        lines[2]["bodies"][0][border]["location"] += off
+    report = validate(written(tmp_path, lines))
+    assert (report.found[Finding.AGREES], report.found[Finding.DIVERGES], report.unread) == (1, 1, None)
+    told = "\n".join(account(report, None))
+    assert "by the rules: A moves at -1 up to 1/2" in told
+    assert "wish/plane" in told
+
+
+GONE = {"remove": {"body": "Box"}}
+
+
+def come(left: str, right: str, edge: int = 2) -> dict:
+    """A step that adds a crate."""
+    return {
+        "add": {"name": "Crate", "left": {"edge": edge, "location": left}, "right": {"edge": edge, "location": right}}
+    }
+
+
+@pytest.mark.parametrize("floats", [False, True])
+def test_lines_in_which_bodies_come_and_go_are_judged(tmp_path, floats):
+    lines = trace(scenario(tmp_path, [come("0", "1"), GONE, drive(A="1")]), floats)
+    assert validate(written(tmp_path, lines)).found == {Finding.AGREES: 3}
+    wrong = json.loads(json.dumps(lines))
+    wrong[2]["bodies"][0]["left"]["location"] = wrong[2]["bodies"][0]["right"]["location"] = "1/2"
+    wrong[2]["bodies"][0]["right"]["location"] = "3/2"
+    assert validate(written(tmp_path, wrong)).found[Finding.DIVERGES]
+    wrong = json.loads(json.dumps(lines))
+    wrong[1]["add"] |= {"left": {"edge": 0, "location": "5/2"}, "right": {"edge": 0, "location": "7/2"}}
+    report = validate(written(tmp_path, wrong))
+    assert report.first is not None
+    assert "Crate add: expected 1/8 to Box, seen -1/2" in "\n".join(account(report, None))
+
+
+def test_a_body_that_finds_no_room_is_refused_before_anything_is_told(tmp_path, capsys):
+    from typer.testing import CliRunner
+
+    from properties.cli import app
+
+    path = scenario(tmp_path, [drive(A="1"), come("5/2", "7/2", edge=0)])
+    ran = CliRunner().invoke(app, ["simulate", str(path)])
+    assert ran.exit_code == 2
+    assert not ran.stdout
+    assert ran.stderr.count("\n") == 1
+    assert "$.steps[1].add: 'Box' and 'Crate'" in ran.stderr
 
 
 def test_a_step_of_floats_at_a_boundary_may_come_out_either_way(tmp_path):

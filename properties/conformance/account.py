@@ -139,6 +139,10 @@ def what_was_asked(line: LineRecord) -> str:
         return f"{line.request.body} asked {line.request.distance}"
     if line.drive is not None:
         return f"{', '.join(line.drive.speeds) or 'nobody'} driven for {line.drive.time}"
+    if line.add is not None:
+        return f"{line.add.name} comes"
+    if line.remove is not None:
+        return f"{line.remove.body} goes"
     assert line.tick is not None
     return f"key {line.tick.key}"
 

@@ -20,31 +20,37 @@ from properties.engine.ties import TIES, Choices, Near, Ties, TooManyWays, every
 from reference.formats.files import FormatError
 from reference.formats.level import BodyRecord, LevelRecord, level_record, valid_level
 from reference.formats.numbers import exact, readable
-from reference.formats.scenario import ScenarioRecord
+from reference.formats.scenario import DriveRecord, ScenarioRecord
 from reference.formats.trace import EventRecord, LineRecord
 from reference.plan import Plan, check_plan
 from reference.recording import Recording, event_record, events_of
-from reference.simulator import Happened
-from reference.stepping import StepGame, of_step, run, told
+from reference.simulator import Endless, Happened
+from reference.stepping import MOST_CHOSEN, StepGame, of_step, run, told
 from reference.storeys import StoreyWorld, Terrain, once_round
 from reference.world import LevelError, World
+from spec.body import Level
 from spec.graph import Direction
 from spec.profiles import SteppedProfile
 from spec.storeys import Drive, Interval
 
 MOST_WAYS = 500
 MOST_CHOICES = 100_000
+MORE_WORK = 4
+"""How many times as many rules a way may take in which ties are broken otherwise. One that takes more does not end: a
+rest of time that is as good as none may be taken for some, again and again.
+"""
 
 Drives = Mapping[int, Drive[Fraction]]
 
 
 @dataclass(frozen=True)
 class Outcome:
-    """What came of a step: the storeys after it, how far each body moved, what happened."""
+    """What came of a step: the storeys after it, how far each body moved, what happened, how many rules it took."""
 
     storeys: StoreyWorld[Any]
     moved: Mapping[int, Fraction]
     happened: tuple[Happened[Any], ...]
+    work: int
 
 
 @dataclass(frozen=True)
@@ -87,22 +93,40 @@ class OfSteps:
         scenario = self.scenario(step, first.body, f"line-{step.number}", note)
         happened = self.outcome(self.storeys(step.before), step.line).happened
         story = tuple(f"at {readable(one.time)}: {one.body} {one.rule} {one.other or ''}".strip() for one in happened)
+        story = (*self.course(step, first.body), *story)
         return Trouble(step, judgement.finding, judgement.differences, None, scenario, story=story)
+
+    def course(self, step: Step, body: str) -> Iterator[str]:
+        """How a body moves by the rules, from event to event, and by which rules."""
+        after = self.storeys(step.before)
+        driven, time = of_step(self.plan.level, step.line.asked)
+        handle = [held.name for held in self.plan.level.bodies].index(body)
+        moments, chosen = run(self.profile.rules, after, self.drives(driven), time, MOST_CHOICES)
+        for moment in moments:
+            yield f"{body} moves at {readable(moment.velocities[handle])} up to {readable(time - moment.left)}"
+        yield f"{body}: {' '.join(rule for one, rule in chosen.fired if one == handle)}"
+
+    def drives(self, driven: Drives) -> Drives:
+        """What is driven, and all others, which are not."""
+        return {body: Drive(Fraction(0)) for body in range(len(self.plan.level.bodies))} | dict(driven)
 
     def storeys(self, world: World[Fraction]) -> StoreyWorld[Fraction]:
         """The storeys of a state."""
         places = [self.plan.place(world, body) for body in world.handles()]
         return StoreyWorld(self.plan.terrain, self.plan.level.margin, places)
 
-    def outcome(self, before: StoreyWorld[Any], line: LineRecord) -> Outcome:
-        """What the rules make of a step."""
+    def outcome(self, before: StoreyWorld[Any], line: LineRecord, most: int = MOST_CHOSEN) -> Outcome:
+        """What the rules make of a step.
+
+        Raises:
+            Endless: if rules are chosen more than `most` times.
+        """
         driven, time = of_step(self.plan.level, line.asked)
         names = [body.name for body in self.plan.level.bodies]
-        drives = {body: Drive(Fraction(0)) for body in range(len(names))} | dict(driven)
-        after = before.copy()
-        moments, _ = run(self.profile.rules, after, drives, time + before.margin * 0, MOST_CHOICES)
+        drives, after = self.drives(driven), before.copy()
+        moments, chosen = run(self.profile.rules, after, drives, time + before.margin * 0, most)
         moved = {body: sum((m.velocities[body] * value_of(m.moved) for m in moments), Fraction(0)) for body in drives}
-        return Outcome(after, moved, tuple(told(names, time, moments)))
+        return Outcome(after, moved, tuple(told(names, time, moments)), chosen.chosen)
 
     def among_all_ways(
         self, step: Step, before: StoreyWorld[Any], seen: StoreyWorld[Any], tolerance: Fraction, first: Outcome
@@ -110,16 +134,20 @@ class OfSteps:
         """Whether the bodies are where they may be if ties are broken in another way, and what happened then."""
         near, drives = nearly(before), of_step(self.plan.level, step.line.asked)[0]
 
-        def one_way(choices: Choices) -> Outcome:
+        def one_way(choices: Choices) -> Outcome | None:
             token = TIES.set(Ties(tolerance * slowest(drives), choices))
             try:
-                return self.outcome(near, step.line)
+                return self.outcome(near, step.line, MORE_WORK * first.work)
+            except Endless:
+                return None
             finally:
                 TIES.reset(token)
 
         try:
             for outcome in every_way(one_way, MOST_WAYS) if tolerance else ():
-                if not any(self.displaced(exactly(outcome.storeys), seen, tolerance, step.after)):
+                if outcome is not None and not any(
+                    self.displaced(exactly(outcome.storeys), seen, tolerance, step.after)
+                ):
                     return Finding.ONE_OF_SEVERAL, outcome
         except TooManyWays:
             return Finding.AMBIGUOUS, first
@@ -136,8 +164,11 @@ class OfSteps:
             for side, off in (("left", apart), ("right", abs(apart + one.width - two.width))):
                 if not same or off > tolerance:
                     texts = [
-                        position_text(level, getattr(held, side))
-                        for level, held in ((self.plan.level, bodies[body]), (after.level, after.bodies[body]))
+                        f"{position_text(level, getattr(held, side))}, at {readable(getattr(place, side))}"
+                        for level, held, place in (
+                            (self.plan.level, bodies[body], one),
+                            (after.level, after.bodies[body], two),
+                        )
                     ]
                     yield Difference(bodies[body].name, side, texts[0], texts[1], off if same else Fraction(0))
 
@@ -256,3 +287,51 @@ def event_text(told: EventRecord, right: EventRecord) -> tuple[str, str] | None:
 def speeds_of(event: EventRecord) -> dict[str, Fraction]:
     """The velocities of an event."""
     return {name: exact(speed, "$") for name, speed in (event.velocities or {}).items()}
+
+
+@dataclass(frozen=True)
+class OfChanges:
+    """Who judges a line in which a body comes or goes, from the state before it, by the judges of before and after."""
+
+    state: World[Fraction]
+    before: OfSteps
+    after: OfSteps
+
+    def asked(self, line: LineRecord) -> tuple[Request, ...]:
+        """Nobody is driven."""
+        return ()
+
+    def judge(self, step: Step, tolerance: Fraction) -> tuple[Judgement, list[Difference]]:
+        """Whether there is room for who comes, who loses a support settles, and all others stay."""
+        start = self.start(step.line)
+        outcome = self.after.outcome(start, LineRecord(drive=DriveRecord({}, 0), bodies=[]))
+        seen, level = self.after.storeys(step.after), self.after.plan.level
+        displaced = self.after.displaced(outcome.storeys, seen, tolerance, step.after)
+        differences = (*(no_room(start, level, tolerance) if step.line.add is not None else ()), *displaced)
+        world = World(replace(level, bodies=self.after.plan.bodies(outcome.storeys)))
+        finding = Finding.DIVERGES if differences else Finding.AGREES
+        return Judgement(finding, Expected(world, (), ()), differences), []
+
+    def start(self, line: LineRecord) -> StoreyWorld[Fraction]:
+        """The storeys with the body that comes, where the line puts it, or without the one that goes."""
+        storeys, level = self.before.storeys(self.state), self.after.plan.level
+        if line.remove is not None:
+            return storeys.without([body.name for body in self.state.bodies].index(line.remove.body))
+        world = World(replace(level, bodies=(*self.state.bodies, level.bodies[-1])))
+        return storeys.with_place(self.after.plan.place(world, len(self.state.bodies)))
+
+    def trouble(self, step: Step, log: Recording, judgement: Judgement, tolerance: Fraction) -> Trouble:
+        """What differs."""
+        return Trouble(step, judgement.finding, judgement.differences, None, None)
+
+
+def no_room(world: StoreyWorld[Fraction], level: Level[Fraction], tolerance: Fraction) -> Iterator[Difference]:
+    """What is in the way of the last body, which has come."""
+    body = len(level.bodies) - 1
+    name, place = level.bodies[body].name, world.places[body]
+    if world.in_terrain(body):
+        yield Difference(name, "add", "a place outside all terrain", f"from {place.left} to {place.right}")
+    for other in world.row(place.storey):
+        gap = -world.overlap(body, other)
+        if other != body and gap < world.margin - tolerance:
+            yield Difference(name, "add", f"{world.margin} to {level.bodies[other].name}", readable(gap))

@@ -21,7 +21,7 @@ from properties.conformance.log import (
 )
 from properties.conformance.minimise import Reduction
 from properties.conformance.said import of_the_events, of_the_grid, of_the_moves, of_the_state
-from properties.conformance.stepping import OfSteps
+from properties.conformance.stepping import OfChanges, OfSteps
 from reference.formats.files import FormatError, one_line
 from reference.formats.trace import LineRecord
 from reference.plan import check_plan, plan_of
@@ -129,16 +129,13 @@ def referee_of(log: Recording) -> Referee:
     return OfSteps(plan_of(log.level), log.profile)
 
 
-def referee_after(log: Recording, referee: Referee) -> Referee:
+def referee_after(log: Recording, referee: OfSteps) -> OfSteps:
     """The judge of a log when bodies have come or gone."""
-    assert isinstance(referee, OfSteps)
     return replace(referee, plan=replace(referee.plan, level=log.level))
 
 
 def steps_of(path: Path, log: Recording, referee: Referee) -> Iterator[tuple[Step, Recording, Referee]]:
     """The steps of a log, one after another, each with the level and the judge that it is for.
-
-    A line in which a body comes or goes is no step to be judged: the steps after it go on from the state that it gives.
 
     Raises:
         FormatError: at the first line that is none.
@@ -146,10 +143,12 @@ def steps_of(path: Path, log: Recording, referee: Referee) -> Iterator[tuple[Ste
     """
     state = World(log.level)
     for number, line in enumerate(log.lines, start=2):
-        if line.add is not None or line.remove is not None:
-            log = replace(log, level=following(log.level, line))
+        if (line.add is not None or line.remove is not None) and isinstance(referee, OfSteps):
+            log, before = replace(log, level=following(log.level, line)), referee
             referee = referee_after(log, referee)
-            state = world_after(log, line, f"{path}:{number}")
+            after = world_after(log, line, f"{path}:{number}")
+            yield Step(number, after, (), line, after), log, OfChanges(state, before, referee)
+            state = after
             continue
         asked, after = referee.asked(line), world_after(log, line, f"{path}:{number}")
         yield Step(number, state, asked, line, after), log, referee

@@ -23,13 +23,17 @@ Rect = tuple[float, float, float, float]
 
 @dataclass(frozen=True)
 class Frame:
-    """A moment to draw: the world, the one before it and the line of the trace between them, if there is one."""
+    """A moment to draw: the world, the one before it and the line of the trace between them, if there is one.
+
+    `jumps` is whether bodies jump along jump edges.
+    """
 
     step: int
     world: World[Any]
     pressed: tuple[bool, ...]
     before: World[Any] | None = None
     line: LineRecord | None = None
+    jumps: bool = True
 
     def asked(self) -> dict[str, Fraction]:
         """Who was asked to move, and which way."""

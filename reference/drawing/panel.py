@@ -65,7 +65,7 @@ def bodies_seen(canvas: Canvas) -> list[Outline]:
 
 def draw_between(canvas: Canvas, shapes: list[Outline]) -> None:
     """What is between bodies: gaps, supports, jump edges; and buttons."""
-    if canvas.lens.size(scene.unit_of(canvas.world)) >= 8:
+    if canvas.frame.jumps and canvas.lens.size(scene.unit_of(canvas.world)) >= 8:
         draw_jumps(canvas)
     for spots, gap in gaps_seen(canvas):
         draw_gap(canvas, spots, gap)

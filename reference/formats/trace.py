@@ -128,9 +128,18 @@ def check_line(line: LineRecord, tops: Tops) -> None:
         exact(line.request.distance, "$.request.distance")
     if line.add is not None:
         body_of(line.add, tops, "$.add")
-    for name in line.drive.speeds if line.drive is not None else ():
-        check_name(name, tops, "$.drive.speeds")
+    if line.drive is not None:
+        check_drive(line.drive, tops)
     check_said(line, tops)
+
+
+def check_drive(drive: DriveRecord, tops: Tops) -> None:
+    """Refuse a drive of bodies that are not there, or for a time that is none."""
+    if exact(drive.time, "$.drive.time") < 0:
+        raise LevelError("$.drive.time", f"expected a time of at least 0, got {drive.time}")
+    for name, speed in drive.speeds.items():
+        check_name(name, tops, "$.drive.speeds")
+        exact(speed, "$.drive.speeds")
 
 
 def locations_of(line: LineRecord, tops: Tops) -> Iterator[tuple[str, tuple[Fraction, Fraction]]]:

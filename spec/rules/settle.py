@@ -123,9 +123,9 @@ SETTLE: AnyFamily = Family(
         ),
         Rule(
             id="settle/jump",
-            sentence="Where there is no ground, it stands on the top that is front-most in the direction of its motion "
-            "relative to the support it lost; without such motion on the top that it is over most, if it is over none "
-            "on the nearest, and of equals on the first in the level's order.",
+            sentence="Where there is no ground, it stands on a top that would hold it: on the last one in the "
+            "direction of its motion relative to the support it lost; without such motion on the top that it is over "
+            "most, if it is over none on the nearest, and of equals on the first in the level's order.",
             source="6.2.1e; R22, R25, A21, A23",
             guard=(support_is_lost, over_no_ground, some_top_holds),
             effect=front_most,
