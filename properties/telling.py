@@ -31,19 +31,27 @@ def asked_and_moved(move: Fulfilled[Any]) -> str:
     return f"{move.body} asked {move.asked}, moved {move.moved}; chain of {move.depth}"
 
 
-def text_lines(step: Played[Any] | None, game: AnyGame) -> Iterator[str]:
-    """What was asked and moved, the rules that fired, where all bodies are, and whether the goal is reached."""
-    coming = None if step is None else came_or_went(step.asked)
-    for move in step.moves if step is not None else ():
-        yield f"\n{coming or asked_and_moved(move)}"
+def what_came(step: Played[Any]) -> Iterator[str]:
+    """What was asked and moved, by which rules, and what happened when."""
+    coming = came_or_went(step.asked)
+    if coming:
+        yield f"\n{coming}"
+    for move in step.moves:
+        yield f"\n{asked_and_moved(move)}"
         fired: dict[str, list[str]] = {}
         for body, rule in move.fired:
             fired.setdefault(body, []).append(rule)
         for body, rules in fired.items():
             yield f"  {body}: {' '.join(rules)}"
-        for one in move.happened or ():
-            moving = ", ".join(f"{name} {speed}" for name, speed in one.velocities.items()) or "nobody"
-            yield f"  at {one.time}: {one.body} {one.rule}{f' {one.other}' if one.other else ''}; moving: {moving}"
+    for one in step.happened or ():
+        moving = ", ".join(f"{name} {speed}" for name, speed in one.velocities.items()) or "nobody"
+        yield f"  at {one.time}: {one.body} {one.rule}{f' {one.other}' if one.other else ''}; moving: {moving}"
+
+
+def text_lines(step: Played[Any] | None, game: AnyGame) -> Iterator[str]:
+    """What was asked and moved, the rules that fired, where all bodies are, and whether the goal is reached."""
+    if step is not None:
+        yield from what_came(step)
     points = [game.world.point(held.left) for held in game.world.bodies]
     for (x, y), held in sorted(zip(points, game.world.bodies, strict=True), key=lambda pair: pair[0]):
         yield f"  {held.name} from {position(held.left, game)} to {position(held.right, game)}, at ({x}, {y})"

@@ -137,6 +137,15 @@ def begins(level: Level[N], edge: Edge[N]) -> N:
     return x if round_ is None else once_round(x, round_)
 
 
+def ends(level: Level[N], edge: Edge[N]) -> N:
+    """Where an edge ends: exactly where the next begins, in floats too; on a cylinder maybe beyond once round."""
+    x, round_ = level.graph.vertices[edge.right].x, level.graph.circumference
+    if round_ is None:
+        return x
+    end = once_round(x, round_)
+    return end if end > begins(level, edge) else end + round_
+
+
 def height_of(level: Level[N], edge: Edge[N]) -> N:
     """How high a level edge is."""
     return level.graph.vertices[edge.left].y
@@ -183,7 +192,7 @@ def solids(level: Level[N], storey: int) -> Iterator[Interval[N]]:
         left, height = begins(level, edge), height_of(level, edge)
         lowest = -1 if edge.thickness is None else storey_of(level, height - edge.thickness)
         if lowest <= storey < storey_of(level, height):
-            yield Interval(left, left + edge.length)
+            yield Interval(left, ends(level, edge))
 
 
 def merged(intervals: Iterable[Interval[N]], circumference: N | None) -> tuple[Interval[N], ...]:

@@ -26,7 +26,7 @@ from reference.formats.level import (
 from reference.formats.numbers import check_sums, exact
 from reference.formats.scenario import Asked, DriveRecord, ScenarioRecord, StepRecord, TickRecord, read_scenario
 from reference.plan import check_plan
-from reference.simulator import Endless, Fulfilled, Game
+from reference.simulator import Endless, Fulfilled, Game, Happened
 from reference.stepping import StepGame
 from reference.world import LevelError
 from spec.body import Body, Level
@@ -51,6 +51,7 @@ class Played(Generic[N]):
     moves: tuple[Fulfilled[N], ...]
     bodies: tuple[Body[N], ...]
     pressed: tuple[bool, ...]
+    happened: tuple[Happened[N], ...] | None
 
 
 @dataclass(frozen=True)
@@ -265,7 +266,7 @@ def comings(game: AnyGame, step: StepRecord, floats: bool) -> Iterator[Played[An
 def played(game: AnyGame, asked: Asked, moves: list[Fulfilled[Any]]) -> Played[Any]:
     """What came of a step, now that it has been played."""
     pressed = tuple(game.world.pressed(button) for button in game.level.buttons)
-    return Played(asked, tuple(moves), tuple(game.world.bodies), pressed)
+    return Played(asked, tuple(moves), tuple(game.world.bodies), pressed, game.happened)
 
 
 def play(path: Path, floats: bool = False) -> Playing:

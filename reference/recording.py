@@ -147,11 +147,11 @@ def line_of(step: Played[Any], number: int, level: Level[Any], events: dict[str,
 
 def event_records(step: Played[Any], events: dict[str, str]) -> Iterator[EventRecord]:
     """What happened in a step as it stands in a trace; with its time, where all bodies move at once."""
+    if step.happened is not None:
+        yield from (event_record(one, events) for one in step.happened)
+        return
     for move in step.moves:
-        for one in move.happened or ():
-            yield event_record(one, events)
-        if move.happened is None:
-            yield from (EventRecord(body, events[rule], rule) for body, rule in move.fired if rule in events)
+        yield from (EventRecord(body, events[rule], rule) for body, rule in move.fired if rule in events)
 
 
 def event_record(one: Happened[Any], events: dict[str, str]) -> EventRecord:

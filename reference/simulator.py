@@ -142,8 +142,8 @@ class Fulfilled(Generic[N]):
     """One request of a game: who was to move how far (negative to the left), how far it did, how, and at what cost.
 
     `depth` is how many bodies were asked, and `work` counts collision queries, edge look-ups and transitions to a next
-    edge. Where all move at once, the first of a step tells of all of it: what fired, what `happened` when (None where
-    bodies move one after another), how many bodies moved, and how many events came and rules were chosen.
+    edge. Where all move at once, the first of a step tells of all of it: what fired, how many bodies moved, how many
+    events came and rules were chosen.
     """
 
     body: str
@@ -152,19 +152,21 @@ class Fulfilled(Generic[N]):
     fired: tuple[tuple[str, str], ...]
     depth: int
     work: dict[str, int]
-    happened: tuple[Happened[N], ...] | None = None
 
 
 @dataclass
 class Game(Generic[N]):
     """A valid level being played under a profile: requests and ticks, one after another.
 
-    `most` is how many rules may fire in a request.
+    `most` is how many rules may fire in a request; `happened` is None, because nothing has a time where bodies move one
+    after another.
     """
 
     profile: Profile
     level: Level[N]
     most: int = MOST_FIRED
+
+    happened: None = None
 
     def __post_init__(self) -> None:
         """Set the level up; that it is valid is for `world_of` to check, in exact numbers."""

@@ -137,6 +137,7 @@ class StepGame(Generic[N]):
         self.storeys = self.plan.start()
         self.world = World(self.level)
         self.names = [body.name for body in self.level.bodies]
+        self.happened: tuple[Happened[N], ...] = ()
 
     def request(self, body: str, distance: N) -> Fulfilled[N]:
         """Drive one body at unit speed for as long as a signed distance, positive to the right."""
@@ -181,20 +182,20 @@ class StepGame(Generic[N]):
         return self.step({}, zero_like(level.margin))
 
     def step(self, driven: Mapping[int, Drive[N]], duration: N) -> list[Fulfilled[N]]:
-        """Drive some bodies for a time; what came of it is told with the first of them, or of all if none is."""
+        """Drive some bodies for a time; what fired is told with the first of them."""
         still = {body: Drive(zero_like(duration)) for body in range(len(self.names))}
         moments, record = run(self.profile.rules, self.storeys, {**still, **driven}, duration, self.most)
         self.world = World(replace(self.level, bodies=self.plan.bodies(self.storeys)))
         movers = {body for moment in moments for body, speed in moment.velocities.items() if speed * moment.moved}
         fired = tuple((self.names[body], rule) for body, rule in record.told({*driven, *movers}))
-        happened = tuple(told(self.names, duration, moments))
+        self.happened = tuple(told(self.names, duration, moments))
         work = {"events": sum(len(moment.events) for moment in moments), "choices": record.chosen}
         results = []
-        for body, drive in (driven or {0: still[0]}).items():
+        for body, drive in driven.items():
             moved = sum_of([moment.velocities[body] * moment.moved for moment in moments], duration)
             asked = drive.speed * duration
-            results.append(Fulfilled(self.names[body], asked, moved, fired, max(1, len(movers)), work, happened))
-            fired, happened, work = (), (), {}
+            results.append(Fulfilled(self.names[body], asked, moved, fired, max(1, len(movers)), work))
+            fired, work = (), {}
         return results
 
 

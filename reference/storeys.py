@@ -27,6 +27,17 @@ class Terrain(Generic[N]):
     ends: Interval[N] | None
     circumference: N | None = None
 
+    def ground(self, storey: int) -> list[Interval[N]]:
+        """The ground of a storey above the floor: what is solid below it, and not on it too.
+
+        Where a wall goes on upwards there is no ground, not even for a body that a rounding has put into it.
+        """
+        pieces = list(self.on(storey - 1))
+        for wall in self.on(storey):
+            for by in [zero_like(wall.left)] if self.circumference is None else around(self.circumference):
+                pieces = [left for piece in pieces for left in without(piece, wall.left + by, wall.right + by)]
+        return pieces
+
     def on(self, storey: int) -> tuple[Interval[N], ...]:
         """What is solid on a storey."""
         return self.solid[storey] if storey < len(self.solid) else ()
@@ -195,8 +206,12 @@ class StoreyWorld(Generic[N]):
 
         A body that goes nearly once round has its front border nearly twice round.
         """
+        yield from self.seen(place, self.terrain.ground(place.storey), direction)
+
+    def seen(self, place: Place[N], pieces: Sequence[Interval[N]], direction: Direction) -> Iterator[Interval[N]]:
+        """Intervals seen from a body's left border in a direction; on a ring as far as twice round."""
         round_ = self.terrain.circumference
-        for solid in self.terrain.on(place.storey - 1):
+        for solid in pieces:
             left, right = solid.left - place.left, solid.right - place.left
             for by in [zero_like(left)] if round_ is None else [round_ * rounds for rounds in (-2, -1, 0, 1, 2)]:
                 near, far = left + by, right + by
@@ -255,8 +270,8 @@ class StoreyWorld(Generic[N]):
         """Whether a body is where it is solid."""
         place = self.places[body]
         zero = zero_like(place.left)
-        one_up = replace(place, storey=place.storey + 1)
-        return any(g.left < place.width and g.right > zero for g in self.grounds(one_up, Direction.RIGHT))
+        solid = self.seen(place, self.terrain.on(place.storey), Direction.RIGHT)
+        return any(piece.left < place.width and piece.right > zero for piece in solid)
 
     def stand(self, body: int, support: int | None) -> None:
         """Give a body another support on its storey."""
@@ -271,11 +286,32 @@ class StoreyWorld(Generic[N]):
         self.order(place.storey - 1)
 
 
+def around(circumference: N) -> list[N]:
+    """Once round back, not at all, and once round on."""
+    return [circumference * rounds for rounds in (-1, 0, 1)]
+
+
+def without(piece: Interval[N], left: N, right: N) -> Iterator[Interval[N]]:
+    """What is left of an interval when another is cut out of it."""
+    if right <= piece.left or left >= piece.right:
+        yield piece
+        return
+    if left > piece.left:
+        yield Interval(piece.left, left)
+    if right < piece.right:
+        yield Interval(right, piece.right)
+
+
 def once_round(place: N, circumference: N) -> N:
     """The same place on a ring, from 0 to less than once round; in few steps, however far it is."""
     if place < zero_like(place):
-        back = once_round(place * -1, circumference)
+        back = rest_of(place * -1, circumference)
         return circumference - back if back > zero_like(back) else back
+    return rest_of(place, circumference)
+
+
+def rest_of(place: N, circumference: N) -> N:
+    """What is left of a number when as many whole rounds as it has are taken away."""
     while place >= circumference:
         rounds = circumference
         while rounds * 2 <= place:

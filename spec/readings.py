@@ -314,7 +314,7 @@ OF_STOREYS: tuple[Reading[None], ...] = (
         "To a body that may not push, any other is a wall, one that moves if it moves. It may be pushed itself, but "
         "passes no push on.",
         "1.1; A39",
-        "it can neither push nor be pushed",
+        "it can neither push nor be pushed; a second permission, to be pushed",
         "repaired-may-not-push",
     ),
     reading(

@@ -423,8 +423,19 @@ def seat_found(stretch: Stretch[N], body: int) -> Truth:
 
 
 def grounds(world: Survey[N], storey: int) -> list[Interval[N]]:
-    """The ground of a storey above the floor, with its images round a ring."""
-    return [image for solid in world.solid(storey - 1) for image in images(world, solid)]
+    """The ground of a storey above the floor, with its images round a ring: what is solid below, and open above."""
+    pieces = [image for solid in world.solid(storey - 1) for image in images(world, solid)]
+    for wall in (image for solid in world.solid(storey) for image in images(world, solid)):
+        pieces = [rest for piece in pieces for rest in beside_wall(piece, wall)]
+    return pieces
+
+
+def beside_wall(piece: Interval[N], wall: Interval[N]) -> list[Interval[N]]:
+    """What of an interval is on the left and on the right of a wall."""
+    if wall.right <= piece.left or wall.left >= piece.right:
+        return [piece]
+    left = [Interval(piece.left, wall.left)] if wall.left > piece.left else []
+    return [*left, Interval(wall.right, piece.right)] if wall.right < piece.right else left
 
 
 def tops(stretch: Stretch[N], storey: int) -> list[tuple[int, Interval[N]]]:

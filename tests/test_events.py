@@ -53,7 +53,7 @@ def test_each_event_has_its_time_its_velocities_and_its_rule(path):
 def test_what_fired_as_an_event_is_told_as_one(path):
     for line, _ in lines(path):
         fired = {(body, rule) for move in line.moves for body, rule in move.fired if rule in EVENTS}
-        assert fired == {(event.body, event.rule) for event in line.events}
+        assert fired == {(event.body, event.rule) for event in line.events} or not line.moves
 
 
 @pytest.mark.parametrize("path", STEPPED, ids=lambda path: path.stem)
@@ -76,4 +76,4 @@ def test_a_tick_without_characters_still_tells_who_falls(tmp_path):
     path.write_text(json.dumps({**scenario, "steps": [{"tick": {"key": "left"}}]}))
     (line,) = recording(path).lines
     assert [event.rule for event in line.events] == ["settle/fall", "settle/ground"]
-    assert [(move.body, move.asked, move.moved) for move in line.moves] == [("Box", "0", "0")]
+    assert [(move.body, move.asked, move.moved) for move in line.moves] == []

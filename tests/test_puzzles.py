@@ -56,10 +56,10 @@ def test_the_second_puzzle_is_solved_by_riding_and_filling():
     rides, fills = [], []
     playing = play(LIBRARY / "scenarios" / "ride-and-fill-solved.json")
     for step in playing.steps:
-        moving = {name for move in step.moves for one in move.happened for name in one.velocities}
+        moving = {name for one in step.happened for name in one.velocities}
         on_top = {body.name for body in step.bodies if body.left.edge >= len(playing.game.level.graph.edges)}
         rides.append({"Long box", "Cute"} <= moving and "Cute" in on_top)
-        fills += [one.other for move in step.moves for one in move.happened if one.rule == "settle/jump"]
+        fills += [one.other for one in step.happened if one.rule == "settle/jump"]
     assert any(rides)
     assert fills == ["Crate"]
     assert playing.game.world.solved()

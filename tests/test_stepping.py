@@ -4,9 +4,11 @@ import json
 import re
 from fractions import Fraction
 from pathlib import Path
+from random import Random
 
 import msgspec
 import pytest
+from independent.levels import scenario as scenario_of
 
 from properties.conformance.account import account
 from properties.conformance.judge import Finding
@@ -249,3 +251,40 @@ def test_the_first_problem_of_a_level_is_named():
     with pytest.raises(LevelError) as refusal:
         check_plan(level)
     assert re.fullmatch(r"\$\.vertices\[\d\]", refusal.value.place)
+
+
+def float_level(**more: object) -> dict:
+    """A level on tenths with a wall of two storeys."""
+    vertices = [["-1/2", "0"], ["2", "0"], ["2", "2"], ["7", "2"]]
+    at = {"left": {"edge": 1, "location": "7/10"}, "right": {"edge": 1, "location": "2"}}
+    ends = [(0, 1, "ground"), (2, 3, "ground"), (1, 2, "fall")]
+    edges = [{"left": left, "right": right, "type": kind} for left, right, kind in ends]
+    return LEVEL | {"margin": "1/10", "vertices": vertices, "edges": edges, "bodies": [{"name": "A", **at, **more}]}
+
+
+def test_in_floats_a_body_falls_along_a_wall_of_several_storeys_to_its_foot(tmp_path):
+    path = scenario(tmp_path, [drive(A="-2")], float_level(speed="1"))
+    (step,) = play(path, floats=True).steps
+    assert [one.rule for one in step.happened][-2:] == ["settle/fall", "settle/ground"]
+    assert step.bodies[0].left.edge == 0
+    assert validate(written(tmp_path, trace(path, floats=True))).conforms
+
+
+@pytest.mark.parametrize("seed", range(40))
+def test_float_traces_of_random_levels_conform(tmp_path, seed):
+    given = scenario_of(Random(seed), f"level {seed}")
+    path = tmp_path / "scenario.json"
+    path.write_text(json.dumps(given))
+    try:
+        lines = trace(path, floats=True)
+    except FormatError:
+        pytest.skip("no level of storeys")
+    report = validate(written(tmp_path, lines))
+    assert report.conforms, "\n".join(account(report, None))
+
+
+def test_where_nobody_is_driven_a_trace_has_no_moves_and_conforms(tmp_path):
+    level = LEVEL | {"bodies": LEVEL["bodies"][1:]}
+    lines = trace(scenario(tmp_path, [{"tick": {"key": "left"}}, drive()], level))
+    assert [line["moves"] for line in lines[1:]] == [[], []]
+    assert validate(written(tmp_path, lines)).conforms

@@ -134,8 +134,8 @@ CLAIMS: tuple[Claim, ...] = (
     proved(
         "speeds-are-wished",
         "row/pushed",
-        "In a row of any length, the speed that reaches a body is the greatest wish of it and of those behind it from "
-        "which that is passed on.",
+        "The speed of a body in a row is the greater of its own wish and of what is passed on to it; it passes on that "
+        "speed, or nothing.",
         "4.2, 6.2.1c; R6, R20",
         steps.speeds_are_wished,
     ),

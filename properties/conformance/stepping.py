@@ -82,7 +82,7 @@ class OfSteps:
         finding = Finding.AGREES
         if differences:
             finding, outcome = self.among_all_ways(step, before, seen, tolerance, outcome)
-        world = World(replace(self.plan.level, bodies=self.plan.bodies(exactly(outcome.storeys))))
+        world = World(replace(self.plan.level, bodies=self.plan.bodies(exactly(outcome.storeys, self.plan.terrain))))
         moved = tuple(outcome.moved[body] for body, _, _ in step.asked)
         return Judgement(finding, Expected(world, moved, ()), differences), outcome
 
@@ -145,9 +145,7 @@ class OfSteps:
 
         try:
             for outcome in every_way(one_way, MOST_WAYS) if tolerance else ():
-                if outcome is not None and not any(
-                    self.displaced(exactly(outcome.storeys), seen, tolerance, step.after)
-                ):
+                if outcome is not None and not any(self.elsewhere(outcome.storeys, seen, tolerance)):
                     return Finding.ONE_OF_SEVERAL, outcome
         except TooManyWays:
             return Finding.AMBIGUOUS, first
@@ -157,20 +155,23 @@ class OfSteps:
         self, expected: StoreyWorld[Any], seen: StoreyWorld[Any], tolerance: Fraction, after: World[Fraction]
     ) -> Iterator[Difference]:
         """The bodies that are seen elsewhere, or on something else, than they are expected to be."""
-        bodies = self.plan.bodies(expected)
+        for body, side, off in self.elsewhere(expected, seen, tolerance):
+            held, place = self.plan.bodies(expected)[body], expected.places[body]
+            right = f"{position_text(self.plan.level, getattr(held, side))}, at {readable(getattr(place, side))}"
+            held, place = after.bodies[body], seen.places[body]
+            told = f"{position_text(after.level, getattr(held, side))}, at {readable(getattr(place, side))}"
+            yield Difference(held.name, side, right, told, off)
+
+    def elsewhere(
+        self, expected: StoreyWorld[Any], seen: StoreyWorld[Any], tolerance: Fraction
+    ) -> Iterator[tuple[int, str, Fraction]]:
+        """The borders that are seen elsewhere, by how much; 0 where that is on something else."""
         for body, (one, two) in enumerate(zip(expected.places, seen.places, strict=True)):
-            apart = abs(short_way(one.left - two.left, self.plan.terrain.circumference))
+            apart = abs(short_way(value_of(one.left) - two.left, self.plan.terrain.circumference))
             same = one.storey == two.storey and one.support == two.support
-            for side, off in (("left", apart), ("right", abs(apart + one.width - two.width))):
+            for side, off in (("left", apart), ("right", abs(apart + value_of(one.width) - two.width))):
                 if not same or off > tolerance:
-                    texts = [
-                        f"{position_text(level, getattr(held, side))}, at {readable(getattr(place, side))}"
-                        for level, held, place in (
-                            (self.plan.level, bodies[body], one),
-                            (after.level, after.bodies[body], two),
-                        )
-                    ]
-                    yield Difference(bodies[body].name, side, texts[0], texts[1], off if same else Fraction(0))
+                    yield body, side, off if same else Fraction(0)
 
     def of_the_events(self, line: LineRecord, outcome: Outcome) -> Iterator[Difference]:
         """What a line says of its events, and is not so."""
@@ -251,9 +252,9 @@ def nearly(world: StoreyWorld[Fraction]) -> StoreyWorld[Any]:
     return with_numbers(other, terrain, Near)
 
 
-def exactly(world: StoreyWorld[Any]) -> StoreyWorld[Fraction]:
-    """The same storeys, with the exact values of their places."""
-    return with_numbers(world.copy(), world.terrain, value_of)
+def exactly(world: StoreyWorld[Any], terrain: Terrain[Fraction]) -> StoreyWorld[Fraction]:
+    """The same storeys, with the exact values of their places, on exact terrain."""
+    return with_numbers(world.copy(), terrain, value_of)
 
 
 def with_numbers(world: StoreyWorld[Any], terrain: Terrain[Any], number: Callable[[Any], Any]) -> StoreyWorld[Any]:
@@ -310,7 +311,8 @@ class OfChanges:
         differences = (*(no_room(start, level, tolerance) if step.line.add is not None else ()), *displaced)
         world = World(replace(level, bodies=self.after.plan.bodies(outcome.storeys)))
         finding = Finding.DIVERGES if differences else Finding.AGREES
-        return Judgement(finding, Expected(world, (), ()), differences), []
+        said = () if tolerance or differences else self.after.of_the_events(step.line, outcome)
+        return Judgement(finding, Expected(world, (), ()), differences), list(said)
 
     def start(self, line: LineRecord) -> StoreyWorld[Fraction]:
         """The storeys with the body that comes, where the line puts it, or without the one that goes."""
@@ -326,9 +328,11 @@ class OfChanges:
 
 
 def no_room(world: StoreyWorld[Fraction], level: Level[Fraction], tolerance: Fraction) -> Iterator[Difference]:
-    """What is in the way of the last body, which has come."""
+    """What is in the way of the last body, which has come; its height, if it is not that of a storey."""
     body = len(level.bodies) - 1
     name, place = level.bodies[body].name, world.places[body]
+    if level.bodies[body].height != level.bodies[0].height:
+        yield Difference(name, "height", readable(level.bodies[0].height), readable(level.bodies[body].height))
     if world.in_terrain(body):
         yield Difference(name, "add", "a place outside all terrain", f"from {place.left} to {place.right}")
     for other in world.row(place.storey):

@@ -79,7 +79,7 @@ class Ties:
         """Whether the sign of `a - b` is one of `signs`; the exact answer is the first choice."""
         difference = a - b
         exact = ((difference > 0) - (difference < 0)) in signs
-        if not self.tolerance or abs(difference) > self.tolerance:
+        if (not difference and a is b) or not self.tolerance or abs(difference) > self.tolerance:
             return exact
         if a < b:
             a, b, signs = b, a, frozenset(-sign for sign in signs)

@@ -45,7 +45,9 @@ class MoveRecord(Record, frozen=True):
     moved: Annotated[Number, says("how far it moved, in units of length; negative to the left")]
     fired: Annotated[
         list[tuple[Name, str]] | None,
-        says("the IDs of the rules that fired, in order, each after the body that it moved"),
+        says(
+            "the IDs of the rules that fired, in order, each after the body that it moved; not judged under `repaired`"
+        ),
     ] = None
     chain: Annotated[Count | None, says("how many bodies the request went through, or moved" + ASIDE)] = None
     work: Annotated[dict[str, int] | None, says("counts of what it took" + ASIDE)] = None
@@ -57,13 +59,9 @@ class EventRecord(Record, frozen=True):
     body: Annotated[Name, says("to whom")]
     event: Annotated[str, says("what, in one word")]
     rule: Annotated[str, says("the ID of the rule by which it did")]
-    time: Annotated[
-        Number | None, says("when, in seconds since the step began; where all bodies move at once" + ASIDE)
-    ] = None
-    velocities: Annotated[
-        dict[Name, Number] | None, says("the velocities up to then of the bodies that moved" + ASIDE)
-    ] = None
-    other: Annotated[Name | None, says("the body that it met, or whose top it lost or stands on now" + ASIDE)] = None
+    time: Annotated[Number | None, says("when, in seconds since the step began; where all bodies move at once")] = None
+    velocities: Annotated[dict[Name, Number] | None, says("the velocities up to then of the bodies that moved")] = None
+    other: Annotated[Name | None, says("the body that it met, or whose top it lost or stands on now")] = None
 
 
 class PlaceRecord(Record, frozen=True):

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Generator, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import reduce
 from typing import Generic
 
 from spec.graph import Direction
@@ -186,15 +187,10 @@ def lasting(speeds: Mapping[int, N], marks: set[Mark]) -> set[Mark]:
 
 
 def present(world: Storeys[N], marks: set[Mark]) -> set[Mark]:
-    """What is left of what was recorded when bodies have changed their storeys."""
+    """What is left of what was recorded when bodies have changed their storeys: contacts of those still neighbours."""
     pairs = set(world.neighbours())
 
-    def is_present(mark: Mark) -> bool:
-        if isinstance(mark, Contact):
-            return (mark.left, mark.right) in pairs
-        return isinstance(mark, Seat) or world.storey(mark.body) == mark.storey
-
-    return {mark for mark in marks if is_present(mark)}
+    return {mark for mark in marks if not isinstance(mark, Contact) or (mark.left, mark.right) in pairs}
 
 
 def step(
@@ -211,9 +207,8 @@ def step(
     while True:
         speeds = velocities_of(rules, world, drives, marks)
         coming = list(to_come(rules, world, speeds))
-        wait = left
-        for event in coming:
-            wait = lesser(wait, event.after)
+        sooner = [event.after for event in coming if event.after < left]
+        wait = reduce(lesser, sooner, left)
         events = tuple(event for event in coming if event.after <= wait)
         if wait > zero_like(wait):
             for body, speed in speeds.items():
@@ -225,5 +220,5 @@ def step(
         marks = present(world, marks) if changes else marks
         left = left - wait
         yield Moment(left, wait, speeds, events, changes)
-        if left <= zero_like(left):
+        if not sooner:
             return
