@@ -5,13 +5,13 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
+from properties.evidence.mutate import CHAPTERS, mutants
 
 from properties.claims.catalogue import CLAIMS
 from properties.claims.claim import Verdict
 from properties.contracts.request import judged
 from properties.engine.explore import explore
 from properties.evidence import settle as settling
-from properties.evidence.mutate import CHAPTERS, mutants
 from properties.evidence.sample import FLOORS, ONE_RULE, campaign
 from properties.evidence.witness import refute, write_witness
 from properties.explain import everything
@@ -37,7 +37,7 @@ FLOORS_OF_VERDICTS = {
         never-raised height-kept supports-end/overshoot never-raised/overshoot height-kept/overshoot
     """,
     TESTED: """
-        rule-count queries-of-a-push queries-at-transitions long-strings walls-reached-exactly every-rule-fires
+        rule-count invariants-judge queries-of-a-push queries-at-transitions long-strings walls-reached-exactly every-rule-fires
     """,
     REFUTED: """
         no-overlap-on-short-edges pushing-on-short-edges split-anywhere additive-on-any-ring

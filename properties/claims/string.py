@@ -6,7 +6,7 @@ from collections.abc import Callable
 from typing import Any
 
 from properties.claims.claim import Claim, Count, Erratum, Obligation, Verdict
-from properties.contracts import counts, errata, families, request, rows
+from properties.contracts import counts, errata, families, judging, request, rows
 from properties.given import Given
 from spec.conditions import EDGES_LONG, FREE_SPACE, HALF_ROUND, HALVES_LONG, IN_ORDER, MARGINS_KEPT, ONE_STRING
 from spec.graph import Direction
@@ -239,6 +239,13 @@ CLAIMS: tuple[Claim, ...] = (
         "Every rule fires in a scenario of the library.",
         "6.2.1; R5",
         counts.every_rule_fires,
+    ),
+    counted(
+        "invariants-judge",
+        "invariants",
+        "Of each deed of a bank of right and wrong ones, each invariant says what is to be said of it.",
+        "6.2.1; R5, R24",
+        judging.invariants_judge,
     ),
     refuted(
         "no-overlap-on-short-edges",

@@ -8,7 +8,7 @@ from typing import Any
 from properties.contracts.request import seen_by
 from properties.given import HAS_WIDTH, Given
 from properties.worlds.window import ME, Spot, Window, lonely_window, spot
-from spec.number import Truth, lesser
+from spec.number import Truth, greater, lesser
 from spec.plane import negated
 from spec.rules.leave import Departure, Placement
 from spec.rules.request import Rules, depart
@@ -17,7 +17,7 @@ from spec.world import Jump
 
 
 def any_jump(given: Given, name: str) -> Jump[Any, Spot]:
-    """Any jump edge, up or down."""
+    """Any jump edge that leads ahead, up or down."""
     drop = given.number(f"{name}: down") - given.number(f"{name}: up")
     free = given.flag(f"{name}: its far end is free")
     return Jump(spot(given, name), given.number(f"{name}: across"), drop, free)
@@ -31,6 +31,7 @@ def any_departure(rules: Rules, given: Given) -> tuple[Window, Departure[Any, Sp
     given.assume((rear.reach >= 0) | (moved + rear.reach >= 0), "the rear border was on its edge before")
     front = replace(seen.along(rear, width), edge=rear.edge + 1)
     jumps = [any_jump(given, name) for name in ("first jump", "second jump") if given.flag(f"there is a {name}")]
+    seen = replace(seen, jump_edges=tuple(jumps))
     leaving = Departure(
         seen,
         walk=seen_by(given, rules).walk,
@@ -129,18 +130,23 @@ def lands_at_the_near_end(rules: Rules, given: Given) -> None:
 
 
 def lands_as_far_beyond(rules: Rules, given: Given) -> None:
-    """The rear border comes down as far beyond the near end as it was beyond the ledge, as far as there is ground."""
+    """The rear border keeps its horizontal position: it comes down as far beyond the near end, as far as there is ground.
+
+    If it was not yet beyond it, as is possible of a jump, it comes down at the near end.
+    """
     rule, leaving, placed = leaves(rules, given)
     ends = [leaving.foot, *(jump.target for jump in leaving.near)]
     if rule in ("leave/fall", "leave/jump"):
         (end,) = [end for end in ends if landed_at(placed, end) and end is not None]
-        beyond = lesser(leaving.rear.reach * -1, end.reach)
+        across = leaving.rear.reach * -1 - sum(jump.across for jump in leaving.near if jump.target is end)
+        beyond = lesser(greater(across, across * 0), end.reach)
         given.ensure("the rear border keeps its position", placed.rear.travelled == end.travelled + beyond)
 
 
 def near_jumps_are_as_short(rules: Rules, given: Given) -> None:
     """A jump edge is near if the rear border is beyond the ledge and its horizontal extent is from 0 to the width."""
     width, jump = given.number("width"), any_jump(given, "jump")
+    jump = replace(jump, across=jump.across - given.number("jump: back"))
     foot = spot(given, "foot")
     seen = replace(lonely_window(given, False, ledges=True), body_width=width, jump_edges=(jump,), below=foot)
     moved, front = given.number("distance moved"), spot(given, "front after the move")

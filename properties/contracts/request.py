@@ -15,7 +15,7 @@ wrong ones, and its values from the second, so that it can be proved, replayed a
 from __future__ import annotations
 
 from collections.abc import Callable, Generator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 from properties.given import Given, Infeasible
@@ -31,22 +31,31 @@ from spec.rules.walk import Motion, Tow, walk
 
 Grant = Callable[[Ask[Any, str]], Any]
 ONE_RULE = "rules/one-applies"
+MOST_CHOICES = 20
 
 
 @dataclass(frozen=True)
 class Seen:
-    """A family that reports to a `Given` which rules it chose, and breaks a promise where it cannot choose."""
+    """A family that reports to a `Given` which rules it chose, and breaks a promise where it cannot choose.
+
+    A window has two edges: who chooses again and again goes on without getting on, and breaks a promise too.
+    """
 
     family: Chooser
     given: Given
+    chosen: list[str] = field(default_factory=list)
 
     def choose(self, facts: Any) -> AnyRule:
         """Return the rule that applies."""
+        if len(self.chosen) == MOST_CHOICES:
+            self.given.ensure("it ends", False)
+            raise Infeasible
         try:
             rule = self.family.choose(facts)
         except GuardError:
             self.given.ensure(ONE_RULE, False)
             raise Infeasible from None
+        self.chosen.append(rule.id)
         self.given.saw(rule.id)
         return rule
 
@@ -76,6 +85,9 @@ def drive(given: Given, running: Generator[Ask[Any, str], Any, Any], seen: Windo
             ask = running.send(answer)
         except StopIteration as end:
             return end.value
+        given.ensure("asks for a distance", ask.distance is not None)
+        if ask.distance is None:
+            raise Infeasible
         given.ensure("asks for a distance of at least 0", ask.distance >= 0)
         seen.asks.append(ask)
         answer = grant(ask)
@@ -162,7 +174,7 @@ def segment_exact(rules: Rules, given: Given) -> None:
     spare, before, after = run_segment(rules, given, seen, lambda ask: lesser(ask.distance, able.neighbour))
     limit, step = able.of_me(replace(seen, granted=seen.granted * 0), spare), before.rest - after.rest
     most = before.rest if limit is None else lesser(before.rest, limit)
-    given.ensure("moves as far as possible, or is on its way there", (step <= most) & (after.going | (step == most)))
+    given.ensure("moves as far as possible, or is on its way there", (step <= most) & (after.going | (step >= most)))
     given.ensure("has gone all of the edge, if it goes on", (not after.going) | (step == seen.start.reach))
     bystanders_keep(given, seen, step)
 

@@ -1,0 +1,73 @@
+"""The mutants of the engine: each must make one of the engine's own tests fail.
+
+A test fails if an assertion of it does, or if the engine itself says that it cannot vouch for its run. A test that
+crashes otherwise, or does not end, catches nothing.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import io
+import signal
+from collections.abc import Iterator
+from functools import cache
+from pathlib import Path
+from types import FrameType
+from typing import Any
+
+from properties.evidence.mutants.mutant import Mutant, mutants_of, told_apart
+
+ENGINE = ("properties.engine.explore", "properties.engine.reals", "properties.engine.simplest")
+TESTS = Path("tests/test_engine.py")
+SECONDS = 20
+TELLING = ("AssertionError", "EngineError", "Failed")
+
+
+class DoesNotEnd(Exception):
+    """Tests go on and on."""
+
+
+@cache
+def of_engine() -> dict[str, Mutant]:
+    """All mutants of the engine, by name."""
+    return told_apart([mutant for module in ENGINE for mutant in mutants_of(module)])
+
+
+class Failures:
+    """A plugin of pytest that notes the tests that fail, and by which exception."""
+
+    def __init__(self) -> None:
+        self.found: dict[str, str] = {}
+
+    def pytest_runtest_makereport(self, item: Any, call: Any) -> None:
+        """Note a test that fails."""
+        if call.excinfo is not None:
+            self.found[item.name] = call.excinfo.typename
+
+
+def failed_tests(*chosen: str) -> tuple[str, ...]:
+    """The engine's tests that fail, of those chosen, or up to the first if none are; none if they do not end."""
+    import pytest
+
+    failures = Failures()
+    tests = [f"{TESTS}::{name}" for name in chosen] or [str(TESTS), "-x"]
+    quietly = contextlib.redirect_stdout(io.StringIO())
+    with quietly, contextlib.redirect_stderr(io.StringIO()), contextlib.suppress(DoesNotEnd), ended():
+        pytest.main([*tests, "-q", "-p", "no:cacheprovider", "-p", "no:xdist", "--tb=no"], plugins=[failures])
+    return tuple(name for name, kind in failures.found.items() if kind in TELLING)
+
+
+@contextlib.contextmanager
+def ended() -> Iterator[None]:
+    """Stop what does not end; what is stopped counts as nothing."""
+
+    def stop(number: int, frame: FrameType | None) -> None:
+        raise DoesNotEnd
+
+    before = signal.signal(signal.SIGVTALRM, stop)
+    signal.setitimer(signal.ITIMER_VIRTUAL, SECONDS)
+    try:
+        yield
+    finally:
+        signal.setitimer(signal.ITIMER_VIRTUAL, 0)
+        signal.signal(signal.SIGVTALRM, before)

@@ -1,0 +1,182 @@
+"""Trying a mutant: which evidence fails while it is in place, with exact values that show it.
+
+An obligation on rules fails if it has a counterexample that replays on exact numbers. It has none if it crashes, or if
+it is not decided.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass, field
+from functools import cache, partial
+from types import CodeType, FrameType
+from typing import Any
+
+from properties.claims.catalogue import CLAIMS
+from properties.claims.claim import Claim, Erratum, Obligation
+from properties.contracts.errata import Stage
+from properties.contracts.request import judged
+from properties.engine.explore import EngineError, Program, explore
+from properties.evidence.mutants.mutant import Mutant, called
+from properties.evidence.sample import campaign
+from properties.evidence.showing import Texts, texts
+from properties.given import Exact, Given, Infeasible
+from reference.formats.files import FormatError
+from reference.simulator import Endless
+from spec.profiles import THESIS, Profile
+from spec.rule import GuardError
+
+EXAMPLES, ROWS = 100, "rows: random"
+KEPT = "what the witness broke is kept"
+CRASHES = (EngineError, TypeError, AttributeError, ValueError, LookupError, RecursionError, NameError, AssertionError)
+
+
+@dataclass(frozen=True)
+class Kill:
+    """What catches a mutant: a piece of evidence, what fails of it, and at which exact values, if there are any.
+
+    `on` is the mutant of the rules that is in place beside it, if there is one.
+    """
+
+    by: str
+    broken: tuple[str, ...]
+    values: Texts = field(default_factory=dict)
+    on: str = ""
+
+
+def name_of(claim: Claim, obligation: Obligation) -> str:
+    """The name of an obligation under the profile of a claim."""
+    return obligation.id if claim.profile.name == "thesis" else f"{obligation.id} ({claim.profile.name})"
+
+
+@cache
+def programs() -> dict[str, Program]:
+    """The obligations that speak of any number of bodies and edges, by name."""
+    return {
+        name_of(claim, obligation): partial(judged, obligation.program, claim.profile)
+        for claim in CLAIMS
+        for obligation in claim.obligations
+        if obligation.shape is None
+    }
+
+
+def functions_called(name: str) -> frozenset[str]:
+    """The functions that an obligation runs."""
+    seen: set[CodeType] = set()
+
+    def note(frame: FrameType, event: str, argument: Any) -> None:
+        seen.add(frame.f_code)
+
+    sys.setprofile(note)
+    try:
+        explore(programs()[name])
+    finally:
+        sys.setprofile(None)
+    return frozenset(map(called, seen))
+
+
+def attempt(name: str) -> Kill | None:
+    """Explore an obligation up to a counterexample."""
+    try:
+        found = explore(programs()[name]).counterexample
+    except CRASHES:
+        return None
+    return None if found is None else Kill(name, told(found.broken), texts(found.values))
+
+
+def told(broken: Iterable[str]) -> tuple[str, ...]:
+    """Promises that are broken, each once."""
+    return tuple(sorted(set(broken)))
+
+
+def replayed(name: str, values: Texts) -> tuple[str, ...] | None:
+    """The promises of an obligation that exact values break, up to a premise that they break; None if it crashes."""
+    exact = Exact(values)
+    try:
+        programs()[name](exact)
+    except Infeasible:
+        pass
+    except CRASHES:
+        return None
+    return told(exact.broken)
+
+
+def kills_by_proofs(mutant: Mutant, calls: Mapping[str, frozenset[str]]) -> Iterator[Kill]:
+    """The obligations that fail on a mutant in place, of those that it plays a part in."""
+    for name, functions in calls.items():
+        if functions & mutant.reached and (kill := attempt(name)) is not None:
+            yield kill
+
+
+@cache
+def counts() -> dict[str, Callable[[], int]]:
+    """The exact counts, by name."""
+    return {f"count: {c.id}": partial(c.program, claim.profile) for claim in CLAIMS for c in claim.counts}
+
+
+def miscounted(name: str) -> tuple[str, ...]:
+    """What a count finds wrong."""
+    try:
+        counts()[name]()
+    except (AssertionError, GuardError, Endless, FormatError) as error:
+        return (str(error),)
+    except CRASHES:
+        return ()
+    return ()
+
+
+@cache
+def errata() -> dict[str, Program]:
+    """The promises that a witness breaks, by name."""
+    return {
+        f"witness: {claim.id}": partial(on_a_stage, claim.erratum, claim.profile)
+        for claim in CLAIMS
+        if claim.erratum is not None and not claim.long
+    }
+
+
+def on_a_stage(erratum: Erratum, profile: Profile, given: Given) -> None:
+    """Run what is refuted, on a stage of its own."""
+    erratum(profile, given, Stage())
+
+
+def witness_of(name: str) -> Texts:
+    """Values that refute a claim."""
+    found = explore(errata()[name]).counterexample
+    assert found is not None
+    return texts(found.values)
+
+
+def unrefuted(name: str, values: Texts) -> tuple[str, ...]:
+    """What a witness does not break any more."""
+    exact = Exact(values)
+    try:
+        errata()[name](exact)
+    except (Infeasible, GuardError, Endless, *CRASHES):
+        return ()
+    return () if exact.broken else (KEPT,)
+
+
+def kills_by_runs(witnesses: Mapping[str, Texts]) -> Iterator[Kill]:
+    """The counts that fail on a mutant in place, and the witnesses that are none any more."""
+    for name in counts():
+        if wrong := miscounted(name):
+            yield Kill(name, wrong)
+    for name, values in witnesses.items():
+        if kept := unrefuted(name, values):
+            yield Kill(name, kept, values)
+
+
+def rows_broken() -> tuple[str, ...]:
+    """The properties that fail on random rows."""
+    try:
+        return tuple(sorted(campaign(THESIS, floats=False, examples=EXAMPLES).failures))
+    except CRASHES:
+        return ()
+
+
+def kills_by_rows() -> Iterator[Kill]:
+    """What fails on random rows with a mutant in place."""
+    if broken := rows_broken():
+        yield Kill(ROWS, broken)
