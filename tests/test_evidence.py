@@ -37,7 +37,8 @@ FLOORS_OF_VERDICTS = {
         never-raised height-kept supports-end/overshoot never-raised/overshoot height-kept/overshoot
     """,
     TESTED: """
-        rule-count invariants-judge queries-of-a-push queries-at-transitions long-strings walls-reached-exactly every-rule-fires
+        rule-count invariants-judge
+        queries-of-a-push queries-at-transitions long-strings walls-reached-exactly every-rule-fires
     """,
     REFUTED: """
         no-overlap-on-short-edges pushing-on-short-edges split-anywhere additive-on-any-ring

@@ -11,10 +11,12 @@ from fractions import Fraction
 from typing import Any
 
 from properties.worlds.rows import located, string_graph
+from properties.worlds.scenes import Platform, Shape, profile_of_heights
 from reference.world import World
 from spec.body import Body, EdgePosition, Level
-from spec.graph import Direction
-from spec.invariants import OF_ONE_REQUEST, Deed
+from spec.graph import Direction, Graph, Vertex, polyline
+from spec.invariants import OF_ONE_REQUEST, Deed, Invariant
+from spec.plane import IN_PLANE, SUPPORTS_END
 from spec.profiles import Profile
 
 ONE, HALF, TEN = Fraction(1), Fraction(1, 2), Fraction(10)
@@ -29,6 +31,7 @@ class Invented:
     name: str
     deed: Deed[Any]
     breaks: str = ""
+    judges: tuple[Invariant, ...] = OF_ONE_REQUEST
 
 
 def row(places: Places, closed: bool = False) -> World[Fraction]:
@@ -179,18 +182,155 @@ TOLERANT: tuple[Invented, ...] = tuple(
 )
 
 
+Standing = tuple[int, Any, Any]
+"""The edge on which a body stands, and its borders there."""
+
+STAIRS = profile_of_heights(Shape((ONE, ONE * 0), ()), [TEN, TEN])
+
+
+def ground(*points: tuple[int, int]) -> Graph[Fraction]:
+    """A string of edges from point to point."""
+    return polyline([Vertex(Fraction(x), Fraction(y)) for x, y in points])
+
+
+HILL, SLOPE = ground((0, 0), (8, 0), (12, 3), (18, 3)), ground((0, 3), (6, 3), (10, 0), (18, 0))
+CLIFF = ground((0, 0), (4, 3), (4, -2), (14, -2))
+UP = "never-raised height-kept"
+UPPER, LOWER, ON_A = 0, 1, len(STAIRS.edges)
+
+
+def scene(graph: Graph[Any], *standings: Standing, height: Any = ONE) -> World[Any]:
+    """Bodies on the edges of a graph; `height` is that of the second."""
+    heights = [ONE, Fraction(height), ONE]
+    held = [
+        Body(chr(65 + i), EdgePosition(edge, Fraction(left)), EdgePosition(edge, Fraction(right)), ONE, heights[i])
+        for i, (edge, left, right) in enumerate(standings)
+    ]
+    return World(Level(graph, ONE, ONE, tuple(held)))
+
+
+def seen(name: str, world: World[Any], breaks: str = "", before: Any = None, asked: Any = 0, by: Any = 0) -> Invented:
+    """What the invariants in the plane say of a world after a request of the first body to the right."""
+    start = world if before is None else before
+    made = Deed(start, world, 0, RIGHT, Fraction(asked), Fraction(asked), 1, 1, 1, Fraction(by))
+    return Invented(name, made, breaks, IN_PLANE)
+
+
+def platform(thickness: Any) -> World[Any]:
+    """A body of height 1 under a platform, the top of which is at 5/4."""
+    above = Platform(Fraction(5, 4), Fraction(thickness))
+    graph = profile_of_heights(Shape((ONE * 0,) * 3, (), above), [TEN, TEN, TEN])
+    return scene(graph, (1, 4, 6))
+
+
+def ring_of(gap: Any) -> World[Any]:
+    """Two bodies on a ring, with a gap across its seam."""
+    return row(((0, 8), (10, 20 - Fraction(gap))), closed=True)
+
+
+def beside(place: Any) -> World[Any]:
+    """A body that overhangs the stairs by 1, and a taller one below, from a place on."""
+    return scene(STAIRS, (UPPER, 9, 11), (LOWER, place, 3), height="3/2")
+
+
+def stepped(name: str, rear: Any, breaks: str = "", by: Any = 0) -> Invented:
+    """A step of 1 on level ground that is asked of a body with its rear border at 1."""
+    return seen(name, scene(STAIRS, (UPPER, rear, 4)), breaks, scene(STAIRS, (UPPER, 1, 3)), 1, by)
+
+
+def climbed(name: str, breaks: str = "", by: Any = 0) -> Invented:
+    """A way of 15 up the hill, which is 3 high."""
+    return seen(name, scene(HILL, (2, 1, 3)), breaks, scene(HILL, (0, 1, 3)), 15, by)
+
+
+INTO = scene(STAIRS, (LOWER, -HALF, 2))
+TOWER = ((ON_A, 0, 2), (ON_A + 1, 0, 2))
+CARRIED = (len(HILL.edges), 0, 2)
+
+PLANE: tuple[Invented, ...] = (
+    seen("above the other", scene(STAIRS, (UPPER, 9, 11), (LOWER, 0, 3))),
+    seen("above the other, which is taller", beside(HALF), "plane-apart plane-margin"),
+    seen("into the other, within a quarter", beside(HALF), "plane-apart plane-margin", by="1/4"),
+    seen("into the other, within a half", beside(HALF), "plane-margin", by="1/2"),
+    seen("beside the other", beside(1), "plane-margin"),
+    seen("almost a margin from the other", beside("3/2"), "plane-margin"),
+    seen("almost a margin, within a quarter", beside("3/2"), "plane-margin", by="1/4"),
+    seen("almost a margin, within a half", beside("3/2"), by="1/2"),
+    seen("a margin from the other", beside(2)),
+    seen("into the wall", INTO, "terrain"),
+    seen("into the wall, within a quarter", INTO, "terrain", by="1/4"),
+    seen("into the wall, within a half", INTO, by="1/2"),
+    seen("at the wall", scene(STAIRS, (LOWER, 0, 2))),
+    seen("under a platform", platform("1/4")),
+    seen("under a platform that is too low", platform("1/2"), "terrain"),
+    seen("at the foot of a slope", scene(SLOPE, (2, 0, 2))),
+    seen("below the top of a slope", scene(CLIFF, (2, 0, 2))),
+    seen("a margin across the seam", ring_of(1)),
+    seen("less than a margin across the seam", ring_of(HALF), "plane-margin"),
+    seen("over the seam", row(((3, 8), (10, 21)), closed=True)),
+    seen("over the seam, onto the other", row(((0, 8), (10, 21)), closed=True), "plane-apart plane-margin"),
+    seen("over the seam, onto one behind", row(((10, 21), (0, 8)), closed=True), "plane-apart plane-margin"),
+    climbed("uphill", "never-raised height-kept"),
+    climbed("uphill, within 2", "never-raised height-kept", by=2),
+    climbed("uphill, within 3", by=3),
+    seen("fallen", scene(STAIRS, (LOWER, 0, 2)), "", scene(STAIRS, (UPPER, 8, 10)), 2),
+    seen("risen", scene(STAIRS, (UPPER, 8, 10)), "never-raised horizontal", scene(STAIRS, (LOWER, 0, 2)), 2),
+    seen("downhill", scene(HILL, (0, 1, 3)), "height-kept horizontal", scene(HILL, (2, 1, 3)), 15),
+    seen("carried down", scene(STAIRS, (LOWER, 0, 2), *TOWER), "", scene(STAIRS, (UPPER, 8, 10), *TOWER), 2),
+    seen("carried uphill", scene(HILL, (2, 1, 3), CARRIED), UP, scene(HILL, (0, 1, 3), CARRIED), 15),
+    stepped("a step in the plane", 2),
+    stepped("too far in the plane", "5/2", "horizontal"),
+    stepped("too far, within a quarter", "5/2", "horizontal", by="1/4"),
+    stepped("too far, within a half", "5/2", by="1/2"),
+    stepped("back in the plane", HALF, "horizontal"),
+    stepped("back, within a quarter", HALF, "horizontal", by="1/4"),
+    stepped("back, within a half", HALF, by="1/2"),
+)
+
+
+@dataclass(frozen=True)
+class Chain:
+    """What stands on what: a body for each place, and what it stands on."""
+
+    below: tuple[int | None, ...]
+
+    def handles(self) -> range:
+        """All bodies."""
+        return range(len(self.below))
+
+    def support(self, body: int) -> int | None:
+        """What a body stands on."""
+        return self.below[body]
+
+
+def chained(name: str, breaks: str, *below: int | None) -> Invented:
+    """Whether the supports of bodies end on the ground."""
+    world: Any = Chain(below)
+    return Invented(name, replace(STEP, before=world, after=world), breaks, (SUPPORTS_END,))
+
+
+CHAINS: tuple[Invented, ...] = (
+    chained("one on another, on the ground", "", 1, None),
+    chained("a tower", "", 1, 2, 3, None),
+    chained("each on the other", "supports-end", 1, 0),
+    chained("three in a circle, and one beside", "supports-end", None, 2, 3, 1),
+)
+
+
 def bank() -> tuple[Invented, ...]:
     """All deeds."""
-    return (*ON_A_LINE, *map(mirrored, ON_A_LINE), *OFF, *RING, *TOLERANT)
+    return (*ON_A_LINE, *map(mirrored, ON_A_LINE), *OFF, *RING, *TOLERANT, *PLANE, *CHAINS)
+
+
+def broken(one: Invented) -> set[str]:
+    """The invariants that a deed breaks, of those that are to judge it."""
+    return {judge.id.removeprefix("invariant/") for judge in one.judges if not judge.holds(one.deed)}
 
 
 def invariants_judge(profile: Profile) -> int:
     """Each invariant says of each deed of the bank what is to be said of it."""
     deeds = bank()
     for one in deeds:
-        found = {
-            invariant.id.removeprefix("invariant/") for invariant in OF_ONE_REQUEST if not invariant.holds(one.deed)
-        }
-        wrong = ", ".join(sorted(found ^ set(one.breaks.split())))
+        wrong = ", ".join(sorted(broken(one) ^ set(one.breaks.split())))
         assert not wrong, f"{one.name}: {wrong}"
     return len(deeds)

@@ -130,7 +130,7 @@ def lands_at_the_near_end(rules: Rules, given: Given) -> None:
 
 
 def lands_as_far_beyond(rules: Rules, given: Given) -> None:
-    """The rear border keeps its horizontal position: it comes down as far beyond the near end, as far as there is ground.
+    """The rear border keeps its horizontal position, as far beyond the near end as there is ground.
 
     If it was not yet beyond it, as is possible of a jump, it comes down at the near end.
     """

@@ -105,7 +105,7 @@ class Window:
         return self.jump_edges if at is self.start else ()
 
     def across(self, start: Spot, end: Spot) -> Any:
-        """How far the rear border is beyond the near end of a jump edge, or beyond the ledge: fall edges are vertical."""
+        """How far the rear border is beyond the end of a jump edge, or the ledge: fall edges are vertical."""
         beyond = self.reach(end) * -1
         return beyond - sum(jump.across for jump in self.jump_edges if jump.target is start)
 

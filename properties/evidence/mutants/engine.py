@@ -16,6 +16,7 @@ from types import FrameType
 from typing import Any
 
 from properties.evidence.mutants.mutant import Mutant, mutants_of, told_apart
+from properties.evidence.mutants.trial import CRASHING
 
 ENGINE = ("properties.engine.explore", "properties.engine.reals", "properties.engine.simplest")
 TESTS = Path("tests/test_engine.py")
@@ -46,15 +47,27 @@ class Failures:
 
 
 def failed_tests(*chosen: str) -> tuple[str, ...]:
-    """The engine's tests that fail, of those chosen, or up to the first if none are; none if they do not end."""
+    """The engine's tests that fail by what they say, of those chosen, or of all."""
+    return tuple(name for name, kind in outcomes(*chosen).items() if kind in TELLING)[:1]
+
+
+def crashing_tests(mutant: Mutant) -> str | None:
+    """That a test crashes with a mutant in place."""
+    with mutant.in_place():
+        crashed = [f"{CRASHING}: {name}, {kind}" for name, kind in outcomes().items()]
+    return crashed[0] if crashed else None
+
+
+def outcomes(*chosen: str) -> dict[str, str]:
+    """The tests that fail, of those chosen, or of all if none are, each by which exception."""
     import pytest
 
     failures = Failures()
-    tests = [f"{TESTS}::{name}" for name in chosen] or [str(TESTS), "-x"]
+    tests = [f"{TESTS}::{name}" for name in chosen] or [str(TESTS)]
     quietly = contextlib.redirect_stdout(io.StringIO())
     with quietly, contextlib.redirect_stderr(io.StringIO()), contextlib.suppress(DoesNotEnd), ended():
         pytest.main([*tests, "-q", "-p", "no:cacheprovider", "-p", "no:xdist", "--tb=no"], plugins=[failures])
-    return tuple(name for name, kind in failures.found.items() if kind in TELLING)
+    return failures.found
 
 
 @contextlib.contextmanager

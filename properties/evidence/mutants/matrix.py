@@ -55,7 +55,7 @@ def by_construction(record: Record) -> Iterator[str]:
 
 
 def untried(record: Record) -> list[str]:
-    """The claims that rest on nothing that mutants are tried on: hunts, witnesses, random rows, levels of fixed shape."""
+    """The claims that rest on nothing that mutants are tried on, as hunts and levels of fixed shapes."""
     return [claim.removeprefix("claim/") for claim, evidence in record.claims.items() if not evidence]
 
 
@@ -64,7 +64,8 @@ def tallies(record: Record) -> Iterator[str]:
     for group, table in record.kills.items():
         caught = sum(bool(kills) for kills in table.values())
         equal = sum(name in record.equal for name in table)
-        yield f"{group}: {len(table)} mutants, {caught} caught, {equal} shown to be no change, {len(table) - caught - equal} survive"
+        left = len(table) - caught - equal
+        yield f"{group}: {len(table)} mutants, {caught} caught, {equal} set aside, {left} survive"
 
 
 def show_matrix(record: Record, console: Console) -> None:

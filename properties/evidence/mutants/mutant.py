@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import ast
 import importlib
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from contextvars import ContextVar
 from dataclasses import dataclass
 from pathlib import Path
 from types import CodeType, FunctionType
@@ -25,6 +26,7 @@ class Mutant:
         change: what is changed.
         target, attribute, value: of what which attribute is changed, and to what.
         reached: the functions (`called`) of which one runs if what is changed plays a part.
+        probe: of a function, its code with what is changed and what it is changed to told to `alike`.
     """
 
     subject: str
@@ -33,6 +35,7 @@ class Mutant:
     attribute: str
     value: Any
     reached: frozenset[str]
+    probe: CodeType | None = None
 
     @property
     def name(self) -> str:
@@ -50,6 +53,17 @@ class Mutant:
         finally:
             object.__setattr__(self.target, self.attribute, own)
             forget(self.target)
+
+
+Compare = Callable[[Any, Any], None]
+COMPARE: ContextVar[Compare] = ContextVar("compare")
+
+
+def alike(own: Callable[[], Any], other: Callable[[], Any]) -> Any:
+    """What an expression gives, which is compared with what it might be changed to."""
+    value = own()
+    COMPARE.get()(value, other())
+    return value
 
 
 REMEMBERED: dict[int, Any] = {}
@@ -112,11 +126,12 @@ def mutants_of_function(module: str, name: str, definition: ast.FunctionDef) -> 
     """All mutants of a function; of those that read alike, one."""
     target, subject = function_of(module, name), f"{module.rpartition('.')[2]}.{name}"
     known = {ast.unparse(definition)}
-    for change, variant in variants(definition):
-        if (text := ast.unparse(variant)) not in known:
+    for variant in variants(definition):
+        if (text := ast.unparse(variant.function)) not in known:
             known.add(text)
-            reached = frozenset({called(target.__code__)})
-            yield Mutant(subject, change, target, "__code__", code_of(module, variant), reached)
+            reached, code = frozenset({called(target.__code__)}), code_of(module, variant.function)
+            probe = None if variant.probe is None else code_of(module, variant.probe)
+            yield Mutant(subject, variant.change, target, "__code__", code, reached, probe)
 
 
 def told_apart(mutants: list[Mutant]) -> dict[str, Mutant]:

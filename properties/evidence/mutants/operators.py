@@ -9,6 +9,7 @@ from __future__ import annotations
 import ast
 from collections.abc import Callable, Iterator
 from copy import deepcopy
+from dataclasses import dataclass
 
 Operator = Callable[[ast.AST], Iterator[ast.AST]]
 
@@ -21,6 +22,7 @@ OTHER_BOUND: dict[type[ast.cmpop], tuple[type[ast.cmpop], ...]] = {
 }
 EXCHANGED = {"front": "rear", "rear": "front", "drop": "across", "across": "drop"}
 SAME_KIND = {"other": "body", "rear": "front", "front": "rear"}
+ALIKE = "__import__('properties.evidence.mutants.mutant', fromlist=['alike']).alike"
 LENGTHS = ("moved", "stride", "rest", "distance")
 TWICE = ("yield Ask", "yield from", "rules.follow", "rules.leave", "view.place")
 BOTH_SIDED = ("view", "leaving", "placement", "jump", "other", "best", "placed")
@@ -96,8 +98,9 @@ def no_effect(node: ast.AST) -> Iterator[ast.AST]:
 
 def another_time(node: ast.AST) -> Iterator[ast.AST]:
     """A request that is made twice, a rule that is followed twice, a loop that is gone through once at most."""
-    once = isinstance(node, ast.Assign | ast.AnnAssign | ast.Expr) and node.value is not None
-    if once and ast.unparse(node.value).lstrip("(").startswith(TWICE):
+    value = node.value if isinstance(node, ast.Assign | ast.AnnAssign | ast.Expr) else None
+    if value is not None and ast.unparse(value).lstrip("(").startswith(TWICE):
+        assert isinstance(node, ast.stmt)
         yield ast.If(ast.Constant(True), [node, node], [])
     if isinstance(node, ast.While):
         yield ast.If(node.test, node.body, [])
@@ -142,13 +145,42 @@ def times_zero(term: ast.expr) -> ast.expr:
     return ast.BinOp(term, ast.Mult(), ast.Constant(0))
 
 
-def variants(function: ast.FunctionDef) -> Iterator[tuple[str, ast.FunctionDef]]:
-    """A function with one change, for each place and each operator that fits it; and what the change is."""
-    nodes, known = list(ast.walk(ast.Module(function.body, []))), names_in(function)
+def unread(function: ast.FunctionDef) -> set[int]:
+    """The identities of nodes that decide nothing: annotations of variables, and that a `zip` is to be strict."""
+    types = [one.annotation for one in ast.walk(function) if isinstance(one, ast.AnnAssign)]
+    strict = [one.value for one in ast.walk(function) if isinstance(one, ast.keyword) and one.arg == "strict"]
+    return {id(node) for root in (*types, *strict) for node in ast.walk(root)}
+
+
+@dataclass(frozen=True)
+class Variant:
+    """A function with one change. `probe` is the function as it is, with both the old and the new expression told to
+    `alike`, if it is an expression that is changed and has no effect of its own.
+    """
+
+    change: str
+    function: ast.FunctionDef
+    probe: ast.FunctionDef | None
+
+
+def variants(function: ast.FunctionDef) -> Iterator[Variant]:
+    """A function with one change, for each place and each operator that fits it."""
+    nodes, known, passive = list(ast.walk(ast.Module(function.body, []))), names_in(function), unread(function)
     for place, node in enumerate(nodes):
+        if id(node) in passive:
+            continue
         for other in (other for operator in OPERATORS for other in operator(node)):
             if names_in(other) <= known:
-                yield told(node, other), replaced(function, place, other)
+                yield Variant(told(node, other), replaced(function, place, other), probe(function, place, node, other))
+
+
+def probe(function: ast.FunctionDef, place: int, node: ast.AST, other: ast.AST) -> ast.FunctionDef | None:
+    """The function with an expression and what may stand in its place told to `alike`."""
+    effects = (ast.Yield, ast.YieldFrom, ast.NamedExpr, ast.Starred)
+    if not isinstance(node, ast.expr) or any(isinstance(one, effects) for one in ast.walk(node)):
+        return None
+    both = f"{ALIKE}(lambda: {ast.unparse(node)}, lambda: {ast.unparse(other)})"
+    return replaced(function, place, ast.parse(both, mode="eval").body)
 
 
 def names_in(tree: ast.AST) -> set[str]:
@@ -175,5 +207,6 @@ def replaced(function: ast.FunctionDef, place: int, other: ast.AST) -> ast.Funct
         def visit(self, node: ast.AST) -> ast.AST:
             return deepcopy(other) if node is target else self.generic_visit(node)
 
-    copied.body = [Replace().visit(statement) for statement in copied.body]
-    return ast.fix_missing_locations(copied)
+    changed = Replace().generic_visit(copied)
+    assert isinstance(changed, ast.FunctionDef)
+    return ast.fix_missing_locations(changed)

@@ -55,14 +55,12 @@ def plain(kill: Kill) -> dict[str, Any]:
 
 def write_record(record: Record, path: Path = RECORD) -> None:
     """Write a record."""
-    kills = {
-        group: {name: [plain(kill) for kill in found] for name, found in table.items()}
-        for group, table in record.kills.items()
-    }
-    parts = {"claims": record.claims, "premises": record.premises, **kills, "equal": record.equal}
-    path.write_text(
-        "{\n" + ",\n".join(f"{json.dumps(name)}: {as_lines(part)}" for name, part in parts.items()) + "\n}\n"
-    )
+    parts: dict[str, Mapping[str, Any]] = {"claims": record.claims, "premises": record.premises}
+    for group, table in record.kills.items():
+        parts[group] = {name: [plain(kill) for kill in found] for name, found in table.items()}
+    parts["equal"] = record.equal
+    lines = ",\n".join(f"{json.dumps(name)}: {as_lines(part)}" for name, part in parts.items())
+    path.write_text(f"{{\n{lines}\n}}\n")
 
 
 def read_record(path: Path = RECORD) -> Record:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from concurrent.futures import Executor, ProcessPoolExecutor
 from contextlib import nullcontext
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import partial
 from multiprocessing import get_context
 from os import cpu_count
@@ -15,8 +15,9 @@ from properties.claims.catalogue import CLAIMS
 from properties.claims.claim import Claim
 from properties.engine.explore import watched_by
 from properties.evidence.export import Recorder
+from properties.evidence.mutants.argued import ARGUED
 from properties.evidence.mutants.contracts import PREMISES, kill_of_contract, of_contracts, premises_of
-from properties.evidence.mutants.engine import failed_tests, of_engine
+from properties.evidence.mutants.engine import crashing_tests, failed_tests, of_engine
 from properties.evidence.mutants.invariants import of_invariants
 from properties.evidence.mutants.mutant import Mutant
 from properties.evidence.mutants.record import Kills, Record
@@ -24,6 +25,8 @@ from properties.evidence.mutants.rules import of_rules
 from properties.evidence.mutants.trial import (
     Kill,
     attempt,
+    count_crash,
+    crash_of,
     errata,
     functions_called,
     kills_by_proofs,
@@ -31,6 +34,7 @@ from properties.evidence.mutants.trial import (
     kills_by_runs,
     miscounted,
     name_of,
+    no_change,
     programs,
     replayed,
     rows_broken,
@@ -128,20 +132,33 @@ def learnt(executor: Executor) -> Known:
     return Known(calls, premises, dict(zip(errata(), executor.map(witness_of, errata()), strict=True)))
 
 
+def set_aside(known: Known, group: str, name: str) -> str | None:
+    """Why a mutant that nothing catches is none: it is proved to change nothing, it crashes, or it is argued."""
+    mutant = GROUPS[group]()[name]
+    if name in ARGUED:
+        return f"argued: {ARGUED[name]}"
+    if group == "invariants":
+        return count_crash(mutant, BANK)
+    if group == "engine":
+        return crashing_tests(mutant)
+    return no_change(mutant, known.calls) or crash_of(mutant, known.calls)
+
+
 def record_all(progress: Callable[[str, tuple[Kill, ...]], None]) -> Record:
     """Find what catches each mutant."""
     with pool() as executor:
         known = learnt(executor)
         record = Record(resting(), dict(known.premises))
         for group, mutants in GROUPS.items():
-            find = partial(
-                kills_of, Known(known.calls, known.premises, known.witnesses, record.kills.get("rules", {})), group
-            )
-            found: Kills = {}
-            for name, kills in zip(mutants(), executor.map(find, mutants()), strict=True):
+            found = record.kills.setdefault(group, {})
+            known = replace(known, kills=record.kills["rules"])
+            tasks = executor.map(partial(kills_of, known, group), mutants(), chunksize=2)
+            for name, kills in zip(mutants(), tasks, strict=True):
                 found[name] = kills
                 progress(name, kills)
-            record.kills[group] = found
+            left = [name for name, kills in found.items() if not kills]
+            reasons = zip(left, executor.map(partial(set_aside, known, group), left), strict=True)
+            record.equal.update({name: reason for name, reason in reasons if reason})
     return record
 
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cache, partial
 from types import CodeType, FrameType
 from typing import Any
@@ -18,7 +18,7 @@ from properties.claims.claim import Claim, Erratum, Obligation
 from properties.contracts.errata import Stage
 from properties.contracts.request import judged
 from properties.engine.explore import EngineError, Program, explore
-from properties.evidence.mutants.mutant import Mutant, called
+from properties.evidence.mutants.mutant import COMPARE, Mutant, called
 from properties.evidence.sample import campaign
 from properties.evidence.showing import Texts, texts
 from properties.given import Exact, Given, Infeasible
@@ -27,6 +27,7 @@ from reference.simulator import Endless
 from spec.profiles import THESIS, Profile
 from spec.rule import GuardError
 
+CRASHING = "makes its evidence crash"
 EXAMPLES, ROWS = 100, "rows: random"
 KEPT = "what the witness broke is kept"
 CRASHES = (EngineError, TypeError, AttributeError, ValueError, LookupError, RecursionError, NameError, AssertionError)
@@ -109,6 +110,40 @@ def kills_by_proofs(mutant: Mutant, calls: Mapping[str, frozenset[str]]) -> Iter
             yield kill
 
 
+def crash_of(mutant: Mutant, calls: Mapping[str, frozenset[str]]) -> str | None:
+    """That an obligation crashes with a mutant in place: it catches nothing, but it does not pass either."""
+    for name in (name for name, functions in calls.items() if functions & mutant.reached):
+        with mutant.in_place():
+            try:
+                explore(programs()[name])
+            except CRASHES as error:
+                return f"{CRASHING}: {name}, {type(error).__name__}"
+    return None
+
+
+def no_change(mutant: Mutant, calls: Mapping[str, frozenset[str]]) -> str | None:
+    """That what is changed gives the same as before wherever an obligation meets it, if that is proved."""
+    mine = [name for name, functions in calls.items() if functions & mutant.reached]
+    if mutant.probe is None or not mine or not all(same_in(mutant, name) for name in mine):
+        return None
+    return f"the same, proved wherever {', '.join(mine)} meet it"
+
+
+def same_in(mutant: Mutant, name: str) -> bool:
+    """Whether what is changed is proved to give the same in an obligation."""
+
+    def program(given: Given) -> None:
+        COMPARE.set(lambda own, other: given.ensure("the same", own is other or own == other))
+        programs()[name](given)
+
+    probing = replace(mutant, value=mutant.probe)
+    with probing.in_place():
+        try:
+            return explore(program).proved
+        except CRASHES:
+            return False
+
+
 @cache
 def counts() -> dict[str, Callable[[], int]]:
     """The exact counts, by name."""
@@ -124,6 +159,16 @@ def miscounted(name: str) -> tuple[str, ...]:
     except CRASHES:
         return ()
     return ()
+
+
+def count_crash(mutant: Mutant, name: str) -> str | None:
+    """That a count crashes with a mutant in place."""
+    with mutant.in_place():
+        try:
+            counts()[name]()
+        except CRASHES as error:
+            return f"{CRASHING}: {name}, {type(error).__name__}"
+    return None
 
 
 @cache
