@@ -28,7 +28,7 @@ from spec.number import Truth
 
 CHECK_BUDGET = 4_000_000
 MOST_PATHS = 4_000
-MOST_DRAWN = 500
+MOST_DRAWN = 100
 
 Program = Callable[[Given], None]
 

@@ -1,6 +1,8 @@
-"""The mutants that change nothing, by an argument of a line each, because no solver was asked."""
+"""The mutants that change nothing that counts, by an argument of a line each, because no solver was asked."""
 
 from __future__ import annotations
+
+FEWER_QUESTIONS = "the last model only saves a question; a branch that cannot be would be run in vain, and be noticed"
 
 ARGUED = {
     "plane.Box.beside: False instead of True (2)": "a box that asks is that of a body, and has a bottom",
@@ -10,4 +12,28 @@ ARGUED = {
     "plane.terrain: edge.rise == 0 instead of edge.type is EdgeType.GROUND and edge.rise == 0": "no fall edge is level",
     "plane.carriers: (below := world.support(chain[-1])) is not None instead of len(chain) <= len(world.bodies) and "
     "(below := world.support(chain[-1])) is not None": "supports end on the ground, which `supports-end` judges",
+    "request.Seen.choose: len(self.chosen) >= MOST_CHOICES instead of len(self.chosen) == MOST_CHOICES": (
+        "it is one more each time, and what is equal ends it"
+    ),
+    "request.Seen.choose: drop self.given.saw(rule.id)": "rules that fired are for the ledger; no verdict uses them",
+    "request.bystanders_keep: ask.body >= NEIGHBOUR instead of ask.body == NEIGHBOUR": (
+        "there are two bodies, and the name of the other comes before"
+    ),
+    "explore.solver_for_reals: drop solver.set('rlimit', CHECK_BUDGET)": "without a budget, an answer may take longer",
+    "explore.solver_for_reals: drop solver.set('random_seed', seed)": "the seed decides the work, and no answer",
+    "explore.work_so_far: drop solver.check()": "what is counted is that of all solvers so far",
+    "explore.Exploration.run_path: path.promises and (not self.outcome.open) instead of self.outcome.witness is None "
+    "and path.promises and (not self.outcome.open)": "a witness is made for each path, and one is enough",
+    "explore.Exploration.run_path: self.outcome.witness is None and path.promises instead of self.outcome.witness is "
+    "None and path.promises and (not self.outcome.open)": "where something is open, nothing is proved, witness or not",
+    "explore.Path.flag: len(self.exploration.drawn.flags) >= MOST_DRAWN instead of len(self.exploration.drawn.flags) > "
+    "MOST_DRAWN": "a bound of one less is a bound",
+    "explore.Path.decide: self.met >= len(forks) instead of self.met == len(forks)": "it is never more",
+    "explore.Path.note: z3.is_true(self.model.eval(literal, model_completion=True)) instead of not "
+    "z3.is_true(self.model.eval(literal, model_completion=True))": FEWER_QUESTIONS,
+    "explore.Path.note: self.model is not None instead of self.model is not None and (not "
+    "z3.is_true(self.model.eval(literal, model_completion=True)))": FEWER_QUESTIONS,
+    "explore.Path.note: False instead of True": FEWER_QUESTIONS,
+    "explore.Path.may_hold: False instead of True": FEWER_QUESTIONS,
+    "explore.Path.may_hold: False instead of True (2)": FEWER_QUESTIONS,
 }

@@ -72,13 +72,6 @@ def failure(mutant: Mutant, mine: Iterable[str], premises: Mapping[str, tuple[st
     return None
 
 
-@cache
 def premises_of(name: str) -> tuple[str, ...]:
     """The names of all premises that an obligation assumes, the signs of what it draws included."""
     return told(explore(programs()[name]).assumed)
-
-
-def premises_with(mutant: Mutant, name: str) -> tuple[str, ...]:
-    """The same, with a mutant in place."""
-    with mutant.in_place():
-        return told(explore(programs()[name]).assumed)

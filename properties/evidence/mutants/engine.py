@@ -66,7 +66,9 @@ def outcomes(*chosen: str) -> dict[str, str]:
     tests = [f"{TESTS}::{name}" for name in chosen] or [str(TESTS)]
     quietly = contextlib.redirect_stdout(io.StringIO())
     with quietly, contextlib.redirect_stderr(io.StringIO()), contextlib.suppress(DoesNotEnd), ended():
-        pytest.main([*tests, "-q", "-p", "no:cacheprovider", "-p", "no:xdist", "--tb=no"], plugins=[failures])
+        status = pytest.main([*tests, "-q", "-p", "no:cacheprovider", "-p", "no:xdist", "--tb=no"], plugins=[failures])
+        if status is pytest.ExitCode.INTERRUPTED:
+            failures.found["the tests"] = "they do not end"
     return failures.found
 
 

@@ -24,7 +24,7 @@ EXCHANGED = {"front": "rear", "rear": "front", "drop": "across", "across": "drop
 SAME_KIND = {"other": "body", "rear": "front", "front": "rear"}
 ALIKE = "__import__('properties.evidence.mutants.mutant', fromlist=['alike']).alike"
 LENGTHS = ("moved", "stride", "rest", "distance")
-TWICE = ("yield Ask", "yield from", "rules.follow", "rules.leave", "view.place")
+TWICE = ("yield Ask", "yield from rules", "rules.follow", "rules.leave", "view.place")
 BOTH_SIDED = ("view", "leaving", "placement", "jump", "other", "best", "placed")
 
 
