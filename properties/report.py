@@ -15,7 +15,7 @@ from properties.evidence.sample import SEED
 from properties.evidence.settle import Settled
 from properties.evidence.showing import Job, Showing, Texts
 from properties.evidence.sources import PACKAGES
-from properties.results import ClaimResult, Results
+from properties.results import ClaimResult, Ledger, Results
 from reference.formats.files import write
 
 COLOURS = {"proved": "green", "bounded": "cyan", "tested": "cyan", "refuted": "yellow", "unknown": "red"}
@@ -66,6 +66,7 @@ def ledger_lines(settled: Settled, showings: dict[Job, Showing]) -> Iterator[str
         yield f"  {own.paths} feasible paths, {cover}; {own.promises} promises judged"
         yield f"  rules fired: {listed(own.rules)}"
         yield from look_lines(settled, showings)
+        yield from monitor_lines(own)
         yield f"  work of the solver: {own.resources}{differing(own.spread)}"
     for job in proofs_of(claim):
         yield from proof_lines(job, showings)
@@ -79,6 +80,13 @@ def look_lines(settled: Settled, showings: dict[Job, Showing]) -> Iterator[str]:
         yield f"  random rows took {own.tried} of {own.looks} looks (sequences from clearance to walk), {share:.0f} %"
         for look in sorted(feasible_looks(claim, showings) - tried_looks(claim, showings)):
             yield f"    not taken: {' '.join(look)}"
+
+
+def monitor_lines(own: Ledger) -> Iterator[str]:
+    """How often monitors evaluated the contracts that the proofs rest on."""
+    if own.monitors:
+        counts = ", ".join(f"{contract} {count}" for contract, count in own.monitors.items())
+        yield f"  monitors of random rows evaluated: {counts}"
 
 
 def proof_lines(job: Job, showings: dict[Job, Showing]) -> Iterator[str]:

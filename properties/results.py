@@ -20,6 +20,10 @@ class Ledger(Record, frozen=True):
     exhaustive: Annotated[bool, says("whether the paths of each proof were found to cover all values")]
     looks: Annotated[int, says("how many sequences of rules, from a clearance to the walk after it, the paths have")]
     tried: Annotated[int | None, says("how many of these the random rows went through, or null if it has none")]
+    monitors: Annotated[
+        dict[str, int],
+        says("how often the monitors of random rows evaluated each contract that the proofs rest on, by its ID"),
+    ]
     resources: Annotated[int, says("the work of the solver, as it counts it; it varies a little from run to run")]
     spread: Annotated[
         float | None, says("the most by which the work on a proof differs between seeds, as a share, or null")
@@ -41,6 +45,7 @@ class Evidence(Record, frozen=True):
         dict[str, str | bool] | None,
         says("for a proof: exact values that satisfy all premises where a promise is judged"),
     ]
+    monitors: Annotated[dict[str, int], says("for random rows: how often each contract was evaluated, by its ID")]
     resources: Annotated[list[int], says("the work of the solver, as it counts it, for each seed that was run")]
 
 

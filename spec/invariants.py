@@ -174,6 +174,19 @@ def as_far_as_possible(deed: Deed[N]) -> Truth:
     return equal(deed.moved, deed.asked, deed.tolerance) | every(stopped)  # type: ignore[no-any-return]
 
 
+def full_circle_stands(deed: Deed[N]) -> Truth:
+    """Neighbours on a ring are not all in contact, or nobody moves."""
+    before = deed.before
+    pairs = list(before.neighbours())
+    if not before.closed or not pairs:
+        return True
+    room: Any = False
+    for pair in pairs:
+        room = room | (before.clear(*pair) > before.margin + deed.tolerance)
+    still = every(is_still(deed, body) for body in before.bodies_in_order())
+    return room | (still & (deed.moved <= deed.tolerance))  # type: ignore[no-any-return]
+
+
 NO_OVERLAP = Invariant(
     "invariant/no-overlap",
     "After a request, neighbours are at least the collision margin apart.",
@@ -230,6 +243,12 @@ AS_FAR_AS_POSSIBLE = Invariant(
     "6.2.1c; R20, R31",
     as_far_as_possible,
 )
+FULL_CIRCLE = Invariant(
+    "invariant/full-circle",
+    "On a ring on which every body is in contact with the next, a request ends, and moves nobody.",
+    "4.2; R31, A5, A7",
+    full_circle_stands,
+)
 
 OF_ONE_REQUEST: tuple[Invariant, ...] = (
     NO_OVERLAP,
@@ -242,6 +261,7 @@ OF_ONE_REQUEST: tuple[Invariant, ...] = (
     DIRECTION,
     BYSTANDERS,
     AS_FAR_AS_POSSIBLE,
+    FULL_CIRCLE,
 )
 
 
@@ -280,5 +300,25 @@ CLOSED_FORM = Relation(
     "each body ahead by what that exceeds the free space before it.",
     "6.2.1c; R20, A6, A7",
 )
+MARGINS_OVER_TIME = Relation(
+    "invariant/margins-over-time",
+    "Any number of requests and ticks, one after another, leave neighbours at least the collision margin apart.",
+    "1.1, 6.2.1; R1, R4, R24",
+)
+ORDER_OVER_TIME = Relation(
+    "invariant/order-over-time",
+    "Any number of requests and ticks, one after another, keep the order of bodies, their widths, and all borders on "
+    "edges.",
+    "1.1, 4.3.1; R1, R4, R7, R8",
+)
 
-RELATIONS: tuple[Relation, ...] = (ADDITIVE, MIRROR, EDGE_SPLIT, TRANSLATION, DETERMINISM, CLOSED_FORM)
+RELATIONS: tuple[Relation, ...] = (
+    ADDITIVE,
+    MIRROR,
+    EDGE_SPLIT,
+    TRANSLATION,
+    DETERMINISM,
+    CLOSED_FORM,
+    MARGINS_OVER_TIME,
+    ORDER_OVER_TIME,
+)

@@ -29,11 +29,12 @@ FLOORS_OF_VERDICTS = {
     PROVED: """
         no-overlap order termination rigid-width on-graph at-most-asked direction bystanders as-far-as-possible
         closed-form determinism additive translation one-rule-applies leaves-only-beyond no-jump-leads-up
+        mirror edge-split full-circle margins-over-time order-over-time world-is-lawful
         landing-keeps-width stays-in-wall near-jump-edges landing-position landing-position/overshoot
     """,
     BOUNDED: """
-        mirror edge-split world-is-lawful whole-rows terrain plane-apart-of-two horizontal-alone supports-end
-        never-raised height-kept supports-end/overshoot never-raised/overshoot height-kept/overshoot
+        whole-rows terrain plane-apart-of-two horizontal-alone supports-end never-raised height-kept
+        supports-end/overshoot never-raised/overshoot height-kept/overshoot
     """,
     TESTED: """
         rule-count invariants-judge

@@ -14,6 +14,7 @@ from hypothesis.stateful import (
     run_state_machine_as_test,
 )
 
+from properties.evidence.monitor import ON_ANY_LEVEL, Monitor, Verdicts
 from properties.strategies.rows import multiples
 from properties.strategies.scenes import levels_with_ledges
 from reference.simulator import Game
@@ -32,6 +33,7 @@ FLOORS = {
     "meets a wall": 0.05,
 }
 SEEN: Counter[str] = Counter()
+EVALUATIONS: Counter[str] = Counter()
 DISTANCES = st.one_of(st.sampled_from([Fraction(n) for n in (1, 2, 3, 5)]), multiples(8, 1), multiples(8, 12))
 
 
@@ -51,6 +53,7 @@ class AnyGame(RuleBasedStateMachine):
     def request(self, data, distance, sign):
         name = data.draw(st.sampled_from([body.name for body in self.level.bodies]))
         before = self.game.world.copy()
+        self.watch(name, distance, Direction(sign))
         event = self.game.request(name, distance * sign)
         binary = self.binary.request(name, float(distance * sign))
         self.count(event, before)
@@ -67,6 +70,16 @@ class AnyGame(RuleBasedStateMachine):
         for event in self.game.tick(direction):
             self.count(event, before)
         self.binary.tick(direction)
+
+    def watch(self, name, distance, direction):
+        """Run the same request on a copy of the game's world, each call of the rules judged by its contract."""
+        verdicts = Verdicts()
+        world = self.game.world.copy()
+        Monitor(self.profile, world, direction, Fraction(0), ON_ANY_LEVEL, verdicts).run(
+            self.game.handles[name], distance
+        )
+        assert verdicts.broken == []
+        EVALUATIONS.update(verdicts.evaluations)
 
     def count(self, event, before):
         fired = {rule for _, rule in event.fired}
@@ -108,6 +121,7 @@ class AnyGameOvershoot(AnyGame):
 @pytest.mark.parametrize("machine", [AnyGame, AnyGameOvershoot])
 def test_any_game(machine):
     SEEN.clear()
+    EVALUATIONS.clear()
     run_state_machine_as_test(
         machine,
         settings=settings(
@@ -122,3 +136,5 @@ def test_any_game(machine):
     shares = {name: SEEN[name] / SEEN["requests"] for name in FLOORS}
     print(f"{SEEN['requests']} requests: {shares}")
     assert {name for name, floor in FLOORS.items() if shares[name] < floor} == set()
+    print(f"evaluations of contracts: {dict(EVALUATIONS)}")
+    assert {contract.id for contract in ON_ANY_LEVEL if EVALUATIONS[contract.id] < 500} == set()

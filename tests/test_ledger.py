@@ -11,6 +11,7 @@ import msgspec
 import pytest
 
 from properties.claims.claim import Obligation
+from properties.contracts.contract import REAR, SEGMENT
 from properties.contracts.request import judged
 from properties.engine.explore import explore
 from properties.evidence import settle as settling, store as storing
@@ -20,7 +21,7 @@ from properties.evidence.sources import source_files, sources
 from properties.evidence.store import Store
 from properties.explain import last_run
 from properties.handbook import NoEvidence, results
-from properties.report import write_results
+from properties.report import monitor_lines, write_results
 from properties.results import Results
 from properties.worlds.scenes import Platform, Shape, Stand
 from reference.formats.files import read
@@ -175,11 +176,16 @@ def test_the_ledger_says_what_was_used_what_was_not_and_what_no_proof_states():
     showings = dict.fromkeys(settling.jobs_of(claim), one)
     first = next(iter(showings))
     showings[first] = replace(one, unused=("condition/edges-long",), looks=frozenset({("a",), ("b",)}))
-    showings["sample", "thesis", "True"] = Showing("hypothesis", 0.0, 9, looks=frozenset({("b",), ("c",)}))
+    rows = Showing("hypothesis", 0.0, 9, looks=frozenset({("b",), ("c",)}), evaluations={SEGMENT.id: 4, "other": 5})
+    showings["sample", "thesis", "True"], showings["sample", "thesis", "False"] = rows, replace(rows, looks=frozenset())
     found = ledger(claim, showings)
     assert (found.used, found.unused) == (["condition/in-order"], ["condition/edges-long"])
     assert found.unstated == ["condition/one-string", "condition/margins-kept"]
     assert (found.looks, found.tried, found.exhaustive, found.spread) == (2, 1, True, None)
+    assert list(found.monitors) == claim.contracts
+    assert (found.monitors[SEGMENT.id], found.monitors[REAR.id]) == (8, 0)
+    (line,) = monitor_lines(found)
+    assert "contract/segment 8" in line
 
 
 @pytest.mark.parametrize("name", SHORT)
@@ -245,6 +251,7 @@ def test_a_result_is_the_same_after_it_was_stored(store):
         shape=shape,
         looks=frozenset({("clearance/margin", "walk/along")}),
         resources=(1, 2),
+        evaluations={"contract/segment": 3},
     )
     store.put(("hunt", "claim/x", "seed 0"), showing)
     assert store.get(("hunt", "claim/x", "seed 0")) == showing

@@ -32,6 +32,7 @@ class Obligation:
         needs: the IDs of the conditions it assumes, which a claim must list that rests on it.
         shape: None if it speaks of any number of bodies and edges; else the kind of string it is about.
         bodies: the number of bodies on such a string, or None for any.
+        contracts: the IDs of the contracts of which it promises a clause, or lets one stand in for a call.
     """
 
     id: str
@@ -39,6 +40,7 @@ class Obligation:
     needs: tuple[str, ...] = ()
     shape: str | None = None
     bodies: int | None = None
+    contracts: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -101,3 +103,8 @@ class Claim:
     long: bool = False
 
     kind = "claim"
+
+    @property
+    def contracts(self) -> list[str]:
+        """The IDs of the contracts that its proofs rest on."""
+        return sorted({contract for obligation in self.obligations for contract in obligation.contracts})

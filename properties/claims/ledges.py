@@ -8,6 +8,7 @@ from typing import Any
 from properties.claims.claim import Claim, Hunt, Verdict
 from properties.claims.string import of_rules
 from properties.contracts import leaving, request
+from properties.contracts.contract import LEAVING as LEAVING_CONTRACT, SEGMENT, Contract
 from properties.given import Given
 from spec.conditions import GUIDELINES, PLANE_START
 from spec.invariants import Deed, Invariant
@@ -31,6 +32,10 @@ from spec.unsupported import CASES, Case, jumps_into_what_leads_up, jumps_onto_a
 Promise = Callable[[Deed[Any], frozenset[str]], Truth]
 PROFILES = (THESIS, OVERSHOOT)
 PREMISES = (PLANE_START.id, GUIDELINES.id)
+CONTRACTS_OF: dict[Callable[[Rules, Given], None], tuple[Contract, ...]] = {
+    leaving.leaving_keeps_its_contract: (LEAVING_CONTRACT,),
+    request.segment_in_wall: (SEGMENT,),
+}
 
 
 def always(invariant: Invariant) -> Promise:
@@ -133,7 +138,7 @@ def proved(
     profile: Profile = THESIS,
 ) -> Claim:
     """A claim about any body at the end of any edge, proved by obligations that assume nothing."""
-    obligations = tuple(of_rules(program) for program in programs)
+    obligations = tuple(of_rules(program, contracts=CONTRACTS_OF.get(program, ())) for program in programs)
     return Claim(f"claim/{name}", "ledges", sentence, source, about, profile, (), Verdict.PROVED, obligations)
 
 
@@ -144,7 +149,7 @@ LEAVING: tuple[Claim, ...] = (
         "A body falls or jumps only with both borders beyond the end of its edge; else it stays, or is "
         "cut back to the ledge.",
         "6.2.1d, 6.2.1e; R21, R22, R23, A14, A24",
-        leaving.leaving_keeps_accounts,
+        leaving.leaving_keeps_its_contract,
     ),
     proved(
         "no-jump-leads-up",

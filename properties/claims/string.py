@@ -6,7 +6,16 @@ from collections.abc import Callable
 from typing import Any
 
 from properties.claims.claim import Claim, Count, Erratum, Obligation, Verdict
-from properties.contracts import counts, errata, families, judging, request, rows
+from properties.contracts import counts, errata, families, judging, leaving, lemma, request, rows, strings, ticks
+from properties.contracts.contract import (
+    LEAVING,
+    REAR,
+    REQUEST,
+    REQUEST_EXACT,
+    SEGMENT,
+    SEGMENT_EXACT,
+    Contract,
+)
 from properties.given import Given
 from spec.conditions import EDGES_LONG, FREE_SPACE, HALF_ROUND, HALVES_LONG, IN_ORDER, MARGINS_KEPT, ONE_STRING
 from spec.graph import Direction
@@ -19,10 +28,13 @@ from spec.invariants import (
     DETERMINISM,
     DIRECTION,
     EDGE_SPLIT,
+    FULL_CIRCLE,
+    MARGINS_OVER_TIME,
     MIRROR,
     NO_OVERLAP,
     ON_GRAPH,
     ORDER,
+    ORDER_OVER_TIME,
     RIGID_WIDTH,
     RULE_COUNT,
     TERMINATION,
@@ -38,17 +50,33 @@ PROVED, BOUNDED, TESTED, REFUTED = Verdict.PROVED, Verdict.BOUNDED, Verdict.TEST
 
 ORDERED, KEPT, LONG, FREE = IN_ORDER.id, MARGINS_KEPT.id, EDGES_LONG.id, FREE_SPACE.id
 HALF, HALVES, STRING = HALF_ROUND.id, HALVES_LONG.id, ONE_STRING.id
+ON_EXACT = (REQUEST_EXACT, SEGMENT, SEGMENT_EXACT)
 
 
-def of_rules(program: Callable[[Rules, Given], None], *needs: str) -> Obligation:
+def of_rules(program: Callable[[Rules, Given], None], *needs: str, contracts: tuple[Contract, ...] = ()) -> Obligation:
     """An obligation on the rules, for any number of bodies and edges."""
 
     def of_profile(profile: Profile, given: Given) -> None:
         program(profile.rules, given)
 
-    return Obligation(
-        f"{program.__module__.rpartition('.')[2]}/{program.__name__.replace('_', '-')}", of_profile, needs
-    )
+    return Obligation(name_of(program), of_profile, needs, contracts=tuple(one.id for one in contracts))
+
+
+def name_of(program: Callable[..., None]) -> str:
+    """The ID of an obligation: the chapter, then what it shows."""
+    return f"{program.__module__.rpartition('.')[2]}/{program.__name__.replace('_', '-')}"
+
+
+def of_strings(program: Callable[..., None], closed: bool, *needs: str, **more: Any) -> Obligation:
+    """An obligation on strings of any number of edges and bodies, all but the ones it speaks of summed up."""
+
+    def of_profile(profile: Profile, given: Given) -> None:
+        program(profile, given, closed=closed, **more)
+
+    extra = "".join(
+        f", {name.replace('_', ' ')} {getattr(value, 'name', value)}" for name, value in more.items()
+    ).lower()
+    return Obligation(f"{name_of(program)} ({'ring' if closed else 'line'}{extra})", of_profile, (STRING, *needs))
 
 
 def of_rows(
@@ -57,10 +85,9 @@ def of_rows(
     edges: int,
     closed: bool,
     *needs: str,
-    any_bodies: bool = False,
     **more: Any,
 ) -> Obligation:
-    """An obligation on whole strings of a fixed size. `any_bodies`: what it shows of one border holds of all."""
+    """An obligation on whole strings of a fixed size."""
     shape = "ring" if closed else "line"
     extra = "".join(f", {getattr(value, 'name', value)}" for value in more.values()).lower()
 
@@ -68,7 +95,7 @@ def of_rows(
         program(profile, given, bodies=bodies, edges=edges, closed=closed, **more)
 
     name = f"rows/{program.__name__.replace('_', '-')} ({bodies} on a {shape} of {edges}{extra})"
-    return Obligation(name, of_profile, (STRING, *needs), shape, None if any_bodies else bodies)
+    return Obligation(name, of_profile, (STRING, *needs), shape, bodies)
 
 
 ONE_RULE = tuple(
@@ -81,36 +108,54 @@ ONE_RULE = tuple(
         families.fit_has_one,
     )
 )
-ACCOUNTS = of_rules(request.segment_accounts, ORDERED)
-KEEPS_ORDER = of_rules(request.segment_keeps_order, ORDERED)
-KEEPS_MARGIN = of_rules(request.segment_keeps_margin, KEPT, LONG)
-TERMINATES = of_rules(request.segment_terminates, ORDERED)
-EXACT = of_rules(request.segment_exact, STRING, KEPT, LONG)
-REQUEST = of_rules(request.request_is_its_segments, ORDERED)
-REAR_WALKS = of_rules(request.rear_walks_on, ORDERED)
-REAR_FOLLOWS = of_rules(request.rear_follows_by_the_same, ORDERED)
-FUNCTION = of_rules(request.segment_is_a_function, ORDERED)
-TWO_ARE_ONE = of_rules(request.two_requests_are_one, FREE)
-WHOLE_REQUEST = (*ONE_RULE, ACCOUNTS, KEEPS_ORDER, TERMINATES, REQUEST, REAR_WALKS, REAR_FOLLOWS)
+SEGMENT_KEEPS = of_rules(request.segment_keeps_its_contract, ORDERED, contracts=(REQUEST, SEGMENT))
+KEEPS_MARGIN = of_rules(request.segment_keeps_margin, KEPT, LONG, contracts=(REQUEST, SEGMENT_EXACT))
+EXACT = of_rules(request.segment_exact, STRING, KEPT, LONG, contracts=(REQUEST, REQUEST_EXACT, SEGMENT_EXACT))
+IS_SEGMENTS = of_rules(request.request_is_its_segments, ORDERED, contracts=(REQUEST, SEGMENT, LEAVING))
+REAR_WALKS = of_rules(request.rear_walks_on, ORDERED, contracts=(REAR, SEGMENT))
+REAR_FOLLOWS = of_rules(request.rear_follows_by_the_same, ORDERED, contracts=(REAR,))
+FUNCTION = of_rules(request.segment_is_a_function, ORDERED, contracts=(REQUEST, SEGMENT))
+LEAVES = of_rules(leaving.leaving_keeps_its_contract, contracts=(LEAVING,))
+IN_A_ROW = of_rules(request.segments_in_a_row, ORDERED, contracts=(SEGMENT,))
+KEEPS = of_rules(request.request_keeps_its_contract, ORDERED, contracts=(REQUEST, SEGMENT))
+EXACT_IN_A_ROW = of_rules(request.exact_segments_in_a_row, STRING, KEPT, LONG, contracts=ON_EXACT)
+KEEPS_EXACT = of_rules(request.request_exact, STRING, KEPT, LONG, contracts=ON_EXACT)
+TWO_ARE_ONE = of_rules(lemma.two_requests_are_one, KEPT, LONG, FREE, contracts=(REQUEST, REQUEST_EXACT))
+IN_ORDER_AGAIN = of_rules(lemma.neighbours_stay_in_order, ORDERED, contracts=(REQUEST,))
+APART_AGAIN = of_rules(lemma.neighbours_stay_apart, KEPT, LONG, contracts=(REQUEST_EXACT,))
+AS_WIDE = of_rules(lemma.width_is_kept, contracts=(REQUEST,))
+CIRCLE = of_rules(lemma.full_circle_stands, KEPT, LONG, contracts=(REQUEST, REQUEST_EXACT, SEGMENT_EXACT))
+TICK = Obligation(name_of(ticks.tick_is_its_requests), ticks.tick_is_its_requests, contracts=(REQUEST.id, SEGMENT.id))
+WHOLE_REQUEST = (*ONE_RULE, SEGMENT_KEEPS, IN_A_ROW, IS_SEGMENTS, KEEPS, REAR_WALKS, REAR_FOLLOWS, LEAVES)
+EXACT_REQUEST = (*WHOLE_REQUEST, EXACT, EXACT_IN_A_ROW, KEEPS_EXACT)
 
-WHOLE_ROWS = tuple(
-    of_rows(rows.rows_keep_the_invariants, bodies, edges, closed, KEPT, LONG, direction=direction, mover=mover)
-    for bodies, edges, closed in ((2, 2, False), (2, 1, True), (3, 1, False))
-    for direction in (Direction if bodies == 2 and not closed else (Direction.RIGHT,))
-    for mover in range(bodies)
+LINE_AND_RING = (False, True)
+ALIKE = tuple((closed, one_edge) for closed in LINE_AND_RING for one_edge in (True, False))
+SUMS = tuple(of_strings(strings.lay_out_sums_up, closed, one_edge=one_edge) for closed, one_edge in ALIKE)
+MIRRORED = tuple(of_strings(strings.mirror_image_is_alike, closed, one_edge=one_edge) for closed, one_edge in ALIKE)
+SPLIT = tuple(
+    of_strings(strings.split_is_alike, closed, HALVES, one_edge=one_edge, cut=cut)
+    for closed, one_edge in ALIKE
+    for cut in range(3 if one_edge else 5)
 )
-SIZES = ((8, 2, False), (8, 1, True), (2, 3, False), (2, 2, True))
-LAWS = (
-    *(of_rows(rows.world_is_lawful, *size, KEPT, LONG) for size in SIZES),
-    *(of_rows(rows.steps_are_lawful, 2, 2, closed, KEPT, LONG) for closed in (False, True)),
+LAWS = tuple(
+    of_strings(strings.laws_hold, closed, ORDERED, direction=direction, last=last)
+    for closed in LINE_AND_RING
+    for last in (False, True)
+    for direction in Direction
 )
-MIRRORED = tuple(of_rows(rows.mirror_has_the_same_facts, *size, KEPT, LONG) for size in SIZES)
-SPLIT = (
-    of_rows(rows.split_has_the_same_facts, 8, 1, False, KEPT, LONG, HALVES),
+
+WHOLE_ROWS = (
     *(
-        of_rows(rows.border_keeps_coordinate, 1, 3, closed, KEPT, LONG, any_bodies=True, cut=cut)
-        for closed in (False, True)
-        for cut in range(3)
+        of_rows(rows.rows_keep_the_invariants, bodies, edges, closed, KEPT, LONG, direction=direction, mover=mover)
+        for bodies, edges, closed in ((2, 2, False), (2, 1, True), (3, 1, False))
+        for direction in (Direction if bodies == 2 and not closed else (Direction.RIGHT,))
+        for mover in range(bodies)
+    ),
+    *(
+        of_rows(program, *size, KEPT, LONG)
+        for program in (rows.neighbours_are_lawful, rows.mirror_has_the_same_facts)
+        for size in ((4, 1, True), (3, 2, False))
     ),
 )
 TRANSLATED = Obligation("rows/translation-keeps-extents", rows.translation_keeps_extents)
@@ -164,13 +209,16 @@ CLAIMS: tuple[Claim, ...] = (
     holds(ON_GRAPH, "safety", (ORDERED,), *WHOLE_REQUEST),
     holds(AT_MOST_ASKED, "movement", (ORDERED, HALF), *WHOLE_REQUEST),
     holds(DIRECTION, "movement", (ORDERED, HALF), *WHOLE_REQUEST),
-    holds(BYSTANDERS, "movement", (KEPT, LONG, HALF), *WHOLE_REQUEST, EXACT),
-    holds(AS_FAR_AS_POSSIBLE, "movement", (KEPT, LONG), *WHOLE_REQUEST, EXACT),
-    holds(CLOSED_FORM, "movement", (KEPT, LONG, HALF), *WHOLE_REQUEST, EXACT),
+    holds(BYSTANDERS, "movement", (KEPT, LONG, HALF), *EXACT_REQUEST),
+    holds(AS_FAR_AS_POSSIBLE, "movement", (KEPT, LONG), *EXACT_REQUEST),
+    holds(CLOSED_FORM, "movement", (KEPT, LONG, HALF), *EXACT_REQUEST),
+    holds(FULL_CIRCLE, "termination", (KEPT, LONG), *EXACT_REQUEST, CIRCLE),
+    holds(MARGINS_OVER_TIME, "safety", (KEPT, LONG), *EXACT_REQUEST, APART_AGAIN, TICK),
+    holds(ORDER_OVER_TIME, "safety", (ORDERED,), *WHOLE_REQUEST, IN_ORDER_AGAIN, AS_WIDE, TICK),
     holds(DETERMINISM, "movement", (ORDERED,), *WHOLE_REQUEST, FUNCTION),
-    holds(ADDITIVE, "relations", (KEPT, LONG, FREE), *WHOLE_REQUEST, EXACT, TWO_ARE_ONE),
-    holds(MIRROR, "relations", (KEPT, LONG, HALF), *WHOLE_REQUEST, EXACT, *MIRRORED, expected=BOUNDED),
-    holds(EDGE_SPLIT, "relations", (KEPT, LONG, HALVES, HALF), *WHOLE_REQUEST, EXACT, *SPLIT, expected=BOUNDED),
+    holds(ADDITIVE, "relations", (KEPT, LONG, FREE), *EXACT_REQUEST, TWO_ARE_ONE),
+    holds(MIRROR, "relations", (KEPT, LONG, HALF), *EXACT_REQUEST, *SUMS, *MIRRORED),
+    holds(EDGE_SPLIT, "relations", (KEPT, LONG, HALVES, HALF), *EXACT_REQUEST, *SUMS, *SPLIT),
     holds(TRANSLATION, "relations", (ORDERED, HALF), *WHOLE_REQUEST, TRANSLATED),
     Claim(
         id="claim/one-rule-applies",
@@ -190,9 +238,9 @@ CLAIMS: tuple[Claim, ...] = (
         source="4.3.1, 6.1.3; R7, R14",
         about="world",
         profile=THESIS,
-        premises=(STRING, KEPT, LONG),
-        expected=BOUNDED,
-        obligations=LAWS,
+        premises=(STRING, ORDERED),
+        expected=PROVED,
+        obligations=(*SUMS, *LAWS),
     ),
     Claim(
         id="claim/whole-rows",

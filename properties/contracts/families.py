@@ -52,7 +52,7 @@ def fit_has_one(rules: Rules, given: Given) -> None:
 
 def walk_has_one(rules: Rules, given: Given) -> None:
     """Any motion on any edge, blocked or not."""
-    seen = window(given, margin_kept=False, edges_long=False, ledges=True)
+    seen = window(given, ledges=True)
     reach = given.number("distance to the end") - given.number("distance beyond the end")
     way = Way(given.number("way"), blocked=given.flag("blocked"))
     motion = any_motion(given, seen.start)

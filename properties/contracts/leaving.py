@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Any
 
+from properties.contracts.contract import LEAVING, Parting, promise
 from properties.contracts.request import seen_by
 from properties.given import HAS_WIDTH, Given
 from properties.worlds.window import ME, Spot, Window, lonely_window, spot
@@ -25,7 +26,7 @@ def any_jump(given: Given, name: str) -> Jump[Any, Spot]:
 
 def any_departure(rules: Rules, given: Given) -> tuple[Window, Departure[Any, Spot]]:
     """Any body after its move: its rear border on its edge or beyond a ledge; up to two near jump edges."""
-    seen = lonely_window(given, edges_long=False, ledges=True)
+    seen = lonely_window(given, ledges=True)
     rear, moved, width = seen.start, given.number("distance moved"), given.number("width")
     given.assume(width > 0, HAS_WIDTH)
     given.assume((rear.reach >= 0) | (moved + rear.reach >= 0), "the rear border was on its edge before")
@@ -54,20 +55,14 @@ def leaves(rules: Rules, given: Given) -> tuple[str, Departure[Any, Spot], Place
     return rule.id, leaving, rule.effect(leaving)
 
 
-def leaving_keeps_accounts(rules: Rules, given: Given) -> None:
+def leaving_keeps_its_contract(rules: Rules, given: Given) -> None:
     """A body that stays keeps its place; one that is blocked ends with its rear border at the ledge, and says so."""
     rule, leaving, placed = leaves(rules, given)
-    given.ensure("moved at most as far as before, and not back", (placed.moved <= leaving.moved) & (placed.moved >= 0))
-    if rule == "leave/stay":
-        given.ensure("stays", placed.front is leaving.front and placed.rear is leaving.rear)
-        given.ensure("has a border on its edge", leaving.rear.reach >= 0)
+    promise(given, LEAVING, Parting(leaving, placed))
     if rule in ("leave/blocked", "leave/nowhere"):
-        cut = leaving.moved - placed.moved
         given.ensure(
             "the rear border is at the ledge", (placed.rear.reach == 0) & (placed.rear.edge == leaving.rear.edge)
         )
-        given.ensure("the rear border was cut back", placed.rear.travelled == leaving.rear.travelled - cut)
-        given.ensure("the front border was cut back", placed.front.travelled == leaving.front.travelled - cut)
     if rule in ("leave/fall", "leave/jump"):
         given.ensure("falls and jumps end the request where it has walked", placed.moved == leaving.moved)
         given.ensure("leaves only with both borders beyond the edge", leaving.rear.reach < 0)
@@ -115,7 +110,7 @@ def landing_keeps_width(rules: Rules, given: Given) -> None:
 
 def fit_places_the_whole_width(rules: Rules, given: Given) -> None:
     """What is left of a width is placed on from where its walk has ended: in the wall, if anything is left."""
-    seen = lonely_window(given, edges_long=False, ledges=True)
+    seen = lonely_window(given, ledges=True)
     motion = Motion(seen.start, rest=given.number("width left"), going=False)
     front = seen_by(given, rules).fit.choose(motion).effect((seen, motion))
     given.ensure("the whole width is placed", front.travelled == seen.start.travelled + motion.rest)
@@ -148,7 +143,7 @@ def near_jumps_are_as_short(rules: Rules, given: Given) -> None:
     width, jump = given.number("width"), any_jump(given, "jump")
     jump = replace(jump, across=jump.across - given.number("jump: back"))
     foot = spot(given, "foot")
-    seen = replace(lonely_window(given, False, ledges=True), body_width=width, jump_edges=(jump,), below=foot)
+    seen = replace(lonely_window(given, ledges=True), body_width=width, jump_edges=(jump,), below=foot)
     moved, front = given.number("distance moved"), spot(given, "front after the move")
     leaving = depart(seen_by(given, rules), seen, ME, front, seen.start, moved)
     gone = seen.start.reach < 0

@@ -1,7 +1,6 @@
-"""What is shown of whole rows on the reference world itself: its laws, and requests from beginning to end.
+"""What is shown of whole small rows on the reference world itself: who is beside whom, requests from beginning to end.
 
-The laws are what the windows of `contracts/request` take for granted of a world. Requests of whole small rows
-repeat, without contracts, what the contracts prove of all.
+They repeat, without contracts and with nothing summed up, what is proved of all.
 """
 
 from __future__ import annotations
@@ -13,11 +12,10 @@ from properties.given import Given
 from properties.worlds.rows import any_level
 from reference.world import Facing, World
 from spec.body import Level
-from spec.conditions import HALVES_LONG
 from spec.graph import Direction, Vertex, extent
 from spec.invariants import OF_ONE_REQUEST, every
 from spec.profiles import Profile
-from spec.transform import mirror, shifted, split
+from spec.transform import mirror, shifted
 
 
 def same(a: Any | None, b: Any | None) -> Any:
@@ -55,18 +53,6 @@ def translation_keeps_extents(profile: Profile, given: Given) -> None:
     given.ensure("as far up", up == up_after)
 
 
-def border_keeps_coordinate(profile: Profile, given: Given, bodies: int, edges: int, closed: bool, cut: int) -> None:
-    """Splitting an edge keeps the coordinate of any border, and the length of the string."""
-    level = any_level(given, bodies, edges, closed)
-    at = given.number("where the edge is split")
-    given.assume(level.graph.edges[cut].length - at > 0, "the split is on the edge")
-    one, two = World(level), World(split(level, cut, at, Vertex(at, at)))
-    given.ensure("the same length", one.rows[0].length == two.rows[0].length)
-    for direction in Direction:
-        border, twin = (held.coordinate(held.bodies[0].border(direction)) for held in (one, two))
-        given.ensure("the same coordinate", border == twin)
-
-
 def mirror_has_the_same_facts(profile: Profile, given: Given, bodies: int, edges: int, closed: bool) -> None:
     """The mirror image of a row has the mirrored gaps and walls."""
     level = any_level(given, bodies, edges, closed)
@@ -75,58 +61,15 @@ def mirror_has_the_same_facts(profile: Profile, given: Given, bodies: int, edges
     check_same_facts(given, level, reversed_row, turned=True)
 
 
-def split_has_the_same_facts(profile: Profile, given: Given, bodies: int, edges: int, closed: bool) -> None:
-    """Splitting the first edge of a row keeps all gaps and walls."""
-    level = any_level(given, bodies, edges, closed)
-    at = given.number("where the edge is split")
-    given.assume(at >= level.margin, HALVES_LONG.id)
-    given.assume(level.graph.edges[0].length - at >= level.margin, HALVES_LONG.id)
-    check_same_facts(given, level, split(level, 0, at, Vertex(at, at)), turned=False)
-
-
-def world_is_lawful(profile: Profile, given: Given, bodies: int, edges: int, closed: bool) -> None:
-    """The reference world keeps the laws of `spec.world.View`, in both directions."""
+def neighbours_are_lawful(profile: Profile, given: Given, bodies: int, edges: int, closed: bool) -> None:
+    """The reference world puts bodies in order: the one beside a body is the next, in both directions."""
     held = World(any_level(given, bodies, edges, closed))
     for direction in Direction:
-        view = held.facing(direction)
         for body in held.bodies_in_order():
-            check_laws(given, view, body)
-
-
-def steps_are_lawful(profile: Profile, given: Given, bodies: int, edges: int, closed: bool) -> None:
-    """A step on an edge lessens the distance to its end, and the gap to the body ahead, by the step."""
-    view = World(any_level(given, bodies, edges, closed)).facing(Direction.RIGHT)
-    step, at = given.number("a step on the edge"), view.front(0)
-    given.assume(step <= view.reach(at), "the step is on the edge")
-    further, other = view.along(at, step), view.world.beside(0, Direction.RIGHT)
-    given.ensure("it lessens the distance to the end", view.reach(further) == view.reach(at) - step)
-    assert other is not None
-    given.assume(step <= view.gap(at, other), "the step is within the gap")
-    given.ensure("it lessens the gap", view.gap(further, other) == view.gap(at, other) - step)
-
-
-def check_laws(given: Given, view: Facing[Any], body: int) -> None:
-    """Promise the laws at one border."""
-    at, step = view.front(body), view.reach(view.front(body))
-    given.ensure("a border is on its edge", (step >= 0) & (view.along(at, step).location == view.end(at).location))
-    onward = view.beyond(at).onward
-    other = view.world.beside(body, view.direction)
-    wall = view.world.to_wall(body, view.direction)
-    if onward is None:
-        given.ensure("where no edge follows, the wall is the end of the edge", same(wall, step))
-    if other is None:
-        return
-    gap = view.gap(at, other)
-    given.ensure("a valid start keeps the margin", gap >= view.margin)
-    if onward is not None and gap > step:
-        given.ensure("the end of an edge is the beginning of the next", view.gap(onward, other) == gap - step)
-    if onward is None:
-        given.ensure("on the last edge a body ahead is seen", view.ahead(body, at) == other)
-    else:
-        in_sight = view.ahead(body, at) is not None
-        given.ensure("on this edge and the next a body is seen", (gap <= step + view.reach(onward)) == in_sight)
-    if wall is not None:
-        given.ensure("no body stands behind a wall", gap < wall)
+            following = body + direction
+            following = following % bodies if closed else following
+            expected = following if 0 <= following < bodies else None
+            given.ensure("the neighbour is the next in the row", held.beside(body, direction) == expected)
 
 
 def rows_keep_the_invariants(

@@ -33,6 +33,12 @@ def tried_looks(claim: Claim, showings: dict[Job, Showing]) -> frozenset[Look]:
     return frozenset().union(*tried)
 
 
+def evaluations(claim: Claim, showings: dict[Job, Showing]) -> dict[str, int]:
+    """How often the monitors of random rows evaluated each contract on which the proofs of a claim rest."""
+    rows = [one for job, one in showings.items() if job[:2] == ("sample", claim.profile.name)]
+    return {contract: sum(one.evaluations.get(contract, 0) for one in rows) for contract in claim.contracts}
+
+
 def conditions(names: Iterable[str]) -> set[str]:
     """Those of the premises that are conditions of a claim; the others are laws of the world."""
     return {condition.id for condition in CONDITIONS} & set(names)
@@ -55,6 +61,7 @@ def ledger(claim: Claim, showings: dict[Job, Showing]) -> Ledger:
         exhaustive=bool(proofs) and all(one.exhaustive for one in proofs),
         looks=len(feasible),
         tried=len(feasible & tried_looks(claim, showings)) if claim.sampled else None,
+        monitors=evaluations(claim, showings) if claim.sampled else {},
         resources=sum(one.resources[0] for one in proofs if one.resources),
         spread=max((round(one.spread or 0, 3) for one in again), default=None),
     )
@@ -73,5 +80,6 @@ def evidence(job: Job, showings: dict[Job, Showing]) -> Evidence:
         unused=list(showing.unused),
         rules=sorted(showing.rules),
         premises_hold=showing.witness,
+        monitors=showing.evaluations,
         resources=list(showing.resources if again is None else again.resources),
     )

@@ -11,13 +11,30 @@ from fractions import Fraction
 from typing import Any
 
 from properties.closed_form import displacements
+from properties.evidence.deeds import MOST_RULES
 from properties.strategies.rows import Trial
-from reference.simulator import move
+from reference.simulator import Game, move
 from reference.world import World, world_of
 from spec.body import Level
 from spec.conditions import room_between
 from spec.graph import Vertex
-from spec.invariants import ADDITIVE, CLOSED_FORM, DETERMINISM, EDGE_SPLIT, MIRROR, TRANSLATION, equal
+from spec.invariants import (
+    ADDITIVE,
+    CLOSED_FORM,
+    DETERMINISM,
+    EDGE_SPLIT,
+    MARGINS_OVER_TIME,
+    MIRROR,
+    NO_OVERLAP,
+    ON_GRAPH,
+    ORDER,
+    ORDER_OVER_TIME,
+    RIGID_WIDTH,
+    TRANSLATION,
+    Deed,
+    Invariant,
+    equal,
+)
 from spec.profiles import Profile
 from spec.transform import in_floats, mirror, moved, split
 
@@ -131,6 +148,23 @@ def moved_away(level: Level[Fraction]) -> Level[Fraction]:
     return moved(level, Vertex(Fraction(-7), Fraction(5, 3)))
 
 
+def over_time(*kept: Invariant) -> Callable[..., bool]:
+    """Whether what is kept holds after the request, and after each tick, as against the start."""
+
+    def holds(profile: Profile, trial: Trial, world: World[Any], tolerance: Any) -> bool:
+        game, zero = Game(profile, world.level, MOST_RULES), world.margin * 0
+        game.request(world.bodies[trial.body].name, (trial.asked + zero) * trial.direction)
+        for key in (*trial.keys, None):
+            deed = Deed(world, game.world, trial.body, trial.direction, zero, zero, 1, 1, 0, tolerance)
+            if not all(invariant.holds(deed) for invariant in kept):
+                return False
+            if key is not None:
+                game.tick(key)
+        return True
+
+    return holds
+
+
 RELATIONS = (
     Check(CLOSED_FORM.id, exact_chain),
     Check(ADDITIVE.id, additive),
@@ -138,4 +172,6 @@ RELATIONS = (
     Check(MIRROR.id, unchanged_by(mirror, turned=True)),
     Check(EDGE_SPLIT.id, unchanged_by(split_longest)),
     Check(TRANSLATION.id, unchanged_by(moved_away)),
+    Check(MARGINS_OVER_TIME.id, over_time(NO_OVERLAP)),
+    Check(ORDER_OVER_TIME.id, over_time(ORDER, RIGID_WIDTH, ON_GRAPH)),
 )

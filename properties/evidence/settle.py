@@ -145,8 +145,16 @@ def sample(profile_name: str, floats: bool) -> Showing:
     failures = {name: str(trial) for name, trial in result.failures.items()}
     open_ = tuple(f"too few trials: {name}" for name in result.tame)
     shares = {name: (result.shares[name] / result.cases, floor) for name, floor in FLOORS.items()}
-    seconds, seen = time.perf_counter() - started, frozenset(result.looks)
-    return Showing("hypothesis", seconds, result.cases, failures, open_, shares=shares, looks=seen)
+    return Showing(
+        "hypothesis",
+        time.perf_counter() - started,
+        result.cases,
+        failures,
+        open_,
+        shares=shares,
+        looks=frozenset(result.looks),
+        evaluations=dict(sorted(result.evaluations.items())),
+    )
 
 
 def count(claim_id: str, count_id: str) -> Showing:
@@ -267,13 +275,18 @@ def unlisted(claim: Claim) -> tuple[str, ...]:
     return tuple(f"its proof assumes {condition}, which it does not list" for condition in sorted(needed - listed))
 
 
+def concerns(claim: Claim, failure: str) -> bool:
+    """Whether what failed on a random row is about a claim: its property, a contract of its proofs, or the rules."""
+    return failure.partition(": ")[0] in (claim.about, "rules/one-applies", *claim.contracts)
+
+
 def verdict_of(claim: Claim, showings: list[Showing]) -> tuple[Verdict, tuple[str, ...]]:
     """The verdict of a claim, and the reasons for it if it is none of the good ones."""
     failures = [
         f"{name}: {shows}"
         for showing in showings
         for name, shows in showing.failures.items()
-        if showing.engine != "hypothesis" or name in (claim.about, "rules/one-applies")
+        if showing.engine != "hypothesis" or concerns(claim, name)
     ]
     if failures:
         return Verdict.REFUTED, tuple(failures)

@@ -34,6 +34,7 @@ class Showing:
         witness: values that satisfy all premises on a path on which a promise was judged.
         looks: those that a path of a proof, or a random trial, went through.
         resources: the solver's work, as it counts it, for each of its seeds.
+        evaluations: how often the monitors of random trials evaluated each contract.
     """
 
     engine: str
@@ -52,6 +53,7 @@ class Showing:
     witness: Texts | None = None
     looks: frozenset[Look] = frozenset()
     resources: tuple[int, ...] = ()
+    evaluations: dict[str, int] = field(default_factory=dict)
 
     @property
     def spread(self) -> float | None:

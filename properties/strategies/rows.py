@@ -16,12 +16,16 @@ GRIDS = (8, 10, 12)
 
 @dataclass(frozen=True)
 class Trial:
-    """A level, and a request of one of its bodies (by its place in the row) to move in a direction."""
+    """A level, a request of one of its bodies (by its place in the row) to move in a direction, and ticks after it.
+
+    `keys` are the directions of the keys that are held, one for each tick.
+    """
 
     level: Level[Fraction]
     body: int
     direction: Direction
     asked: Fraction
+    keys: tuple[Direction, ...] = ()
 
 
 def multiples(grid: int, most: int) -> st.SearchStrategy[Fraction]:
@@ -31,7 +35,9 @@ def multiples(grid: int, most: int) -> st.SearchStrategy[Fraction]:
 
 @st.composite
 def spaces(draw: st.DrawFn, grid: int, margin: Fraction, count: int) -> list[Fraction]:
-    """Room between neighbours beyond the margin: none, a little or much."""
+    """Room between neighbours beyond the margin: none, a little or much; at times none between any."""
+    if draw(st.sampled_from((False, False, False, True))):
+        return [margin] * count
     room = st.one_of(st.just(Fraction(0)), multiples(grid, 1), multiples(grid, 4))
     return [margin + draw(room) for _ in range(count)]
 
@@ -70,7 +76,8 @@ def levels(draw: st.DrawFn, most_bodies: int = 6) -> Level[Fraction]:
     lefts = [start + sum(widths[:i]) + sum(gaps[:i]) for i in range(count)]
     held = [(left, left + width) for left, width in zip(lefts, widths, strict=True)]
     end = held[-1][1]
-    total = end - start + gaps[-1] if closed else end + draw(st.one_of(st.just(Fraction(0)), multiples(grid, 6)))
+    beyond = draw(st.one_of(st.just(Fraction(0)), multiples(grid, 6)))
+    total = end - start + gaps[-1] if closed else max(end + beyond, margin)
     borders = [border for pair in held for border in pair if border < total]
     lengths = draw(lengths_of_edges(grid, total, margin, borders))
     round_ = [(left % total, right % total) for left, right in held] if closed else held
@@ -98,4 +105,5 @@ def trials(draw: st.DrawFn) -> Trial:
     total = sum(lengths, Fraction(0))
     if level.graph.circumference is not None:
         asked = min(asked, total / 2 if len(level.bodies) == 1 else total)
-    return Trial(level, body, direction, asked)
+    keys = draw(st.lists(st.sampled_from(Direction), max_size=4))
+    return Trial(level, body, direction, asked, tuple(keys))

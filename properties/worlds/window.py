@@ -11,8 +11,7 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 from properties.given import HAS_LENGTH, Given
-from spec.conditions import EDGES_LONG, IN_ORDER, MARGINS_KEPT
-from spec.number import lesser
+from spec.conditions import IN_ORDER
 from spec.rules.request import Ask
 from spec.world import Beyond, Jump
 
@@ -123,7 +122,7 @@ def spot(given: Given, name: str) -> Spot:
     return Spot(reach * 0, 0, reach + behind, reach)
 
 
-def lonely_window(given: Given, edges_long: bool, ledges: bool) -> Window:
+def lonely_window(given: Given, ledges: bool) -> Window:
     """Any window with nobody ahead; see `window`."""
     margin, start = given.number("margin"), spot(given, "front")
     given.assume(margin > 0, "the margin is positive")
@@ -131,10 +130,7 @@ def lonely_window(given: Given, edges_long: bool, ledges: bool) -> Window:
     next_length, ledge = None, False
     if given.flag("an edge follows"):
         next_length = given.number("length of the next edge")
-        if edges_long:
-            given.assume(next_length >= margin, EDGES_LONG.id)
-        else:
-            given.assume(next_length > 0, HAS_LENGTH)
+        given.assume(next_length > 0, HAS_LENGTH)
     elif ledges and given.flag("the edge ends at a ledge"):
         ledge = True
         if given.flag("the border is in overhang"):
@@ -142,17 +138,15 @@ def lonely_window(given: Given, edges_long: bool, ledges: bool) -> Window:
     return Window(margin, start, next_length, False, margin * 0, margin * 0, may_push=True, ledge=ledge)
 
 
-def window(given: Given, margin_kept: bool, edges_long: bool, ledges: bool = False) -> Window:
-    """Any window. `margin_kept`: the gap is at least the margin; `edges_long`: so is the next edge.
+def window(given: Given, ledges: bool = False) -> Window:
+    """Any window with neighbours in order; what else a contract requires of it, is for an obligation to assume.
 
     `ledges`: the string may end at a ledge, and the border may be in overhang there.
     """
-    seen = lonely_window(given, edges_long, ledges)
+    seen = lonely_window(given, ledges)
     if not given.flag("a body is ahead"):
         return seen
     gap = given.number("gap", IN_ORDER.id)
-    if margin_kept:
-        given.assume(gap >= seen.margin, MARGINS_KEPT.id)
     if seen.next_length is None and not seen.ledge:
         given.assume(gap <= seen.start.reach, "no body stands beyond the wall")
     return replace(seen, neighbour=True, gap_before=gap, may_push=given.flag("the body may push"))
@@ -164,15 +158,6 @@ class Capacity:
 
     neighbour: Any
     wall: Any | None
-
-    def of_me(self, seen: Window, spare: Any) -> Any | None:
-        """How far the body of a window can move: to the wall, and to the neighbour when that has moved its most."""
-        if not seen.neighbour:
-            return self.wall
-        to_contact = seen.gap(seen.start, NEIGHBOUR) - seen.margin
-        if spare > 0 and seen.may_push:
-            to_contact = to_contact + self.neighbour
-        return to_contact if self.wall is None else lesser(to_contact, self.wall)
 
 
 def capacity(given: Given, seen: Window) -> Capacity:

@@ -16,7 +16,9 @@ from properties.evidence.mutants.trial import CRASHES, Kill, programs, replayed,
 from properties.evidence.showing import texts
 
 CONTRACTS = (
+    "properties.contracts.contract",
     "properties.contracts.request",
+    "properties.contracts.lemma",
     "properties.contracts.leaving",
     "properties.contracts.families",
     "properties.worlds.window",
