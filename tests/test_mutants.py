@@ -29,9 +29,9 @@ from spec.plane import IN_PLANE
 from spec.profiles import THESIS
 from spec.registry import rules_of
 
-MARGIN, ORDER = "request/segment-keeps-margin", "request/segment-keeps-order"
+MARGIN = "request/segment-keeps-margin"
 TOO_NEAR = "clearance.up_to_margin: sight.gap - sight.margin * 0 instead of sight.gap - sight.margin"
-KEPT = "the margin is kept"
+KEPT = "contract/segment-exact: keeps the margin"
 
 
 def mutant_of(mutants: dict[str, Mutant], *parts: str) -> Mutant:
@@ -74,7 +74,7 @@ def test_a_wrong_rule_is_caught_by_the_obligation_that_it_breaks_at_values_that_
 
 
 def test_a_contract_that_promises_less_is_caught_by_the_promise_that_is_gone():
-    weaker = mutant_of(of_contracts(), "segment_keeps_margin: drop given.ensure")
+    weaker = mutant_of(of_contracts(), "segment_keeps_margin: drop promise")
     assert said_otherwise(weaker, of_rules()[TOO_NEAR], margin_kill()) == ()
     with weaker.in_place():
         said = complaints({}, "rules", TOO_NEAR, [margin_kill_of_the_true_contract()])
@@ -90,9 +90,9 @@ def margin_kill_of_the_true_contract() -> Kill:
 
 
 def test_a_contract_that_assumes_more_is_caught_though_it_still_holds():
-    narrower = mutant_of(of_contracts(), "segment_keeps_order: True instead of False")
-    found = failure(narrower, [ORDER], {ORDER: premises_of(ORDER)})
-    assert found == Kill(ORDER, (PREMISES,))
+    narrower = mutant_of(of_contracts(), "segment_keeps_margin: False instead of True")
+    found = failure(narrower, [MARGIN], {MARGIN: premises_of(MARGIN)})
+    assert found == Kill(MARGIN, (PREMISES,))
 
 
 def test_an_invariant_that_lets_something_pass_is_caught_by_a_deed():
@@ -135,7 +135,7 @@ def test_a_change_that_changes_nothing_is_proved_to():
         of_rules(), "request.segment: asked is not None instead of other is not None and asked is not None"
     )
     other = mutant_of(of_rules(), "push.enough_room: want.stride < want.room")
-    calls = calls_of("request/segment-accounts")
+    calls = calls_of("request/segment-keeps-its-contract")
     assert no_change(same, calls) is not None
     assert no_change(other, calls) is None
 

@@ -69,6 +69,7 @@ def turned(world: Any) -> Places:
 
 
 A, B, C = (2, 4), (8, 10), (14, 16)
+FULL, TURNED = ((0, 9), (10, 19)), ((1, 10), (11, 20))
 STEP = deed((A, B), ((3, 5), B), 1)
 PUSH = deed((A, B), ((6, 8), (9, 11)), 4)
 ALONE = deed((A,), ((3, 5),), 1)
@@ -147,19 +148,34 @@ OFF: tuple[Invented, ...] = (
     Invented("beyond its edge", off_the_graph(EdgePosition(0, ONE), EdgePosition(0, TEN + HALF)), "on-graph"),
 )
 
+
+def tolerant(one: Invented, by: Any, breaks: str) -> Invented:
+    """The same, with a tolerance."""
+    return Invented(f"{one.name}, within {by}", replace(one.deed, tolerance=Fraction(by)), breaks)
+
+
+NEARLY = Invented(
+    "a circle with half a margin of room",
+    deed(((0, 9), (10, 18 + HALF)), ((1, 10), (11, 19 + HALF)), 1, closed=True),
+)
+
 RING: tuple[Invented, ...] = (
     Invented("round to itself", deed(((0, 8), (10, 18)), ((2, 10), (11, 19)), 5, 2, closed=True)),
     Invented(
         "not round to itself", deed(((0, 8), (10, 18)), ((1, 9), (10, 18)), 5, 1, closed=True), "as-far-as-possible"
     ),
+    Invented("a full circle", deed(FULL, FULL, 5, 0, closed=True)),
+    Invented("a full circle that says it moved", deed(FULL, FULL, 5, 1, closed=True), "at-most-asked full-circle"),
+    Invented("a full circle that turns", deed(FULL, TURNED, 1, closed=True), "full-circle"),
+    Invented("a circle that is not full", deed(((0, 9), (10, 18)), ((1, 10), (11, 19)), 1, closed=True)),
+    Invented("a full circle that turns unsaid", deed(FULL, TURNED, 1, 0, closed=True), "at-most-asked full-circle"),
+    Invented("a circle with room before the next", deed(((0, 8), (10, 19)), ((1, 9), (10, 19)), 1, closed=True)),
+    Invented("a row in contact on a line", deed(((2, 4), (5, 7)), ((3, 5), (6, 8)), 1)),
+    tolerant(NEARLY, "1/4", ""),
+    tolerant(NEARLY, "1/2", "full-circle"),
     Invented("alone on a ring", deed((A,), ((3, 5),), 1, closed=True)),
     Invented("alone on a ring, and stops", deed((A,), ((3, 5),), 2, 1, closed=True), "as-far-as-possible"),
 )
-
-
-def tolerant(one: Invented, by: Any, breaks: str) -> Invented:
-    """The same, with a tolerance."""
-    return Invented(f"{one.name}, within {by}", replace(one.deed, tolerance=Fraction(by)), breaks)
 
 
 WITHIN: dict[str, tuple[str, str]] = {
