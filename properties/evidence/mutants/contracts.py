@@ -11,6 +11,7 @@ from functools import cache
 
 from properties.engine.explore import explore
 from properties.evidence.mutants.mutant import Mutant, mutants_of, told_apart
+from properties.evidence.mutants.operators import WEAKENING
 from properties.evidence.mutants.rules import of_rules
 from properties.evidence.mutants.trial import CRASHES, Kill, programs, replayed, told
 from properties.evidence.showing import texts
@@ -32,7 +33,7 @@ Caught = Mapping[str, Iterable[Kill]]
 @cache
 def of_contracts() -> dict[str, Mutant]:
     """All mutants of the contracts, by name."""
-    return told_apart([mutant for module in CONTRACTS for mutant in mutants_of(module)])
+    return told_apart([mutant for module in CONTRACTS for mutant in mutants_of(module, operators=WEAKENING)])
 
 
 def kill_of_contract(

@@ -41,14 +41,16 @@ class Failures:
         self.found: dict[str, str] = {}
 
     def pytest_runtest_makereport(self, item: Any, call: Any) -> None:
-        """Note a test that fails."""
+        """Note a test that fails; one that tells is enough."""
         if call.excinfo is not None:
             self.found[item.name] = call.excinfo.typename
+            if call.excinfo.typename in TELLING:
+                item.session.shouldfail = "a test tells"
 
 
 def failed_tests(*chosen: str) -> tuple[str, ...]:
-    """The engine's tests that fail by what they say, of those chosen, or of all."""
-    return tuple(name for name, kind in outcomes(*chosen).items() if kind in TELLING)[:1]
+    """The first of the engine's tests that fails by what it says, of those chosen, or of all."""
+    return tuple(name for name, kind in outcomes(*chosen).items() if kind in TELLING)
 
 
 def crashing_tests(mutant: Mutant) -> str | None:

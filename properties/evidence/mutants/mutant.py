@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import ast
 import importlib
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import dataclass
@@ -12,7 +12,7 @@ from pathlib import Path
 from types import CodeType, FunctionType
 from typing import Any
 
-from properties.evidence.mutants.operators import variants
+from properties.evidence.mutants.operators import OPERATORS, Operator, variants
 
 ANNOTATIONS = importlib.import_module("__future__").annotations.compiler_flag
 
@@ -113,20 +113,22 @@ def code_of(module: str, definition: ast.FunctionDef) -> CodeType:
     return code
 
 
-def mutants_of(module: str, *skipped: str) -> Iterator[Mutant]:
-    """All mutants of the functions of a module, but of those skipped, each change once."""
+def mutants_of(module: str, *skipped: str, operators: Sequence[Operator] = OPERATORS) -> Iterator[Mutant]:
+    """All mutants by some operators of the functions of a module, but of those skipped, each change once."""
     file = importlib.import_module(module).__file__
     assert file is not None
     for name, definition in functions_in(ast.parse(Path(file).read_text())):
         if name not in skipped:
-            yield from mutants_of_function(module, name, definition)
+            yield from mutants_of_function(module, name, definition, operators)
 
 
-def mutants_of_function(module: str, name: str, definition: ast.FunctionDef) -> Iterator[Mutant]:
+def mutants_of_function(
+    module: str, name: str, definition: ast.FunctionDef, operators: Sequence[Operator]
+) -> Iterator[Mutant]:
     """All mutants of a function; of those that read alike, one."""
     target, subject = function_of(module, name), f"{module.rpartition('.')[2]}.{name}"
     known = {ast.unparse(definition)}
-    for variant in variants(definition):
+    for variant in variants(definition, operators):
         if (text := ast.unparse(variant.function)) not in known:
             known.add(text)
             reached, code = frozenset({called(target.__code__)}), code_of(module, variant.function)

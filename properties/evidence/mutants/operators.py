@@ -1,13 +1,13 @@
 """The operators: how a function's source is changed, in one place at a time.
 
 An operator takes a node of the syntax tree and gives what may stand in its place. The operators are the same for the
-rules, the contracts, the invariants and the engine.
+rules, the invariants and the engine. A contract that says too much fails of itself: there, the ones that weaken it count.
 """
 
 from __future__ import annotations
 
 import ast
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from copy import deepcopy
 from dataclasses import dataclass
 
@@ -36,12 +36,17 @@ def other_bound(node: ast.AST) -> Iterator[ast.AST]:
                 yield ast.Compare(node.left, [*node.ops[:place], other(), *node.ops[place + 1 :]], node.comparators)
 
 
+def fewer_terms(node: ast.AST) -> Iterator[ast.AST]:
+    """A sum or a difference without its second term."""
+    if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add | ast.Sub) and not of_sets(node):
+        yield ast.BinOp(node.left, node.op, times_zero(node.right))
+
+
 def other_term(node: ast.AST) -> Iterator[ast.AST]:
-    """A sum or a difference with the other sign, without its second term, and with that term twice."""
+    """A sum or a difference with the other sign, and with its second term twice."""
     if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add | ast.Sub) and not of_sets(node):
         flipped = ast.Sub() if isinstance(node.op, ast.Add) else ast.Add()
         yield ast.BinOp(node.left, flipped, node.right)
-        yield ast.BinOp(node.left, node.op, times_zero(node.right))
         yield ast.BinOp(node, node.op, node.right)
 
 
@@ -127,17 +132,8 @@ def with_argument(call: ast.Call, place: int, other: ast.expr) -> ast.Call:
     return ast.Call(call.func, [*call.args[:place], other, *call.args[place + 1 :]], call.keywords)
 
 
-OPERATORS: tuple[Operator, ...] = (
-    other_bound,
-    other_term,
-    fewer_conjuncts,
-    opposite,
-    one_of_two,
-    no_effect,
-    another_time,
-    other_side,
-    other_argument,
-)
+WEAKENING: tuple[Operator, ...] = (other_bound, fewer_terms, fewer_conjuncts, opposite, no_effect)
+OPERATORS: tuple[Operator, ...] = (*WEAKENING, other_term, one_of_two, another_time, other_side, other_argument)
 
 
 def times_zero(term: ast.expr) -> ast.expr:
@@ -163,13 +159,13 @@ class Variant:
     probe: ast.FunctionDef | None
 
 
-def variants(function: ast.FunctionDef) -> Iterator[Variant]:
+def variants(function: ast.FunctionDef, operators: Sequence[Operator]) -> Iterator[Variant]:
     """A function with one change, for each place and each operator that fits it."""
     nodes, known, passive = list(ast.walk(ast.Module(function.body, []))), names_in(function), unread(function)
     for place, node in enumerate(nodes):
         if id(node) in passive:
             continue
-        for other in (other for operator in OPERATORS for other in operator(node)):
+        for other in (other for operator in operators for other in operator(node)):
             if names_in(other) <= known:
                 yield Variant(told(node, other), replaced(function, place, other), probe(function, place, node, other))
 
