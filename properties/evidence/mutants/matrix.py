@@ -10,17 +10,9 @@ from pathlib import Path
 from rich.console import Console
 from rich.table import Table
 
-from properties.evidence.mutants.record import Record
+from properties.evidence.mutants.record import Record, by_construction, columns
 
 PAGE = Path("docs/mutants.md")
-
-
-def columns(record: Record) -> dict[tuple[str, ...], list[str]]:
-    """The claims by what they rest on: those that rest on the same catch the same."""
-    found: dict[tuple[str, ...], list[str]] = {}
-    for claim, evidence in record.claims.items():
-        found.setdefault(evidence, []).append(claim.removeprefix("claim/"))
-    return {evidence: claims for evidence, claims in found.items() if evidence}
 
 
 def subject_of(mutant: str) -> str:
@@ -41,17 +33,6 @@ def cells(record: Record) -> tuple[list[str], dict[str, list[int]]]:
     telling = {claims: counts for claims, counts in found.items() if counts}
     subjects = dict.fromkeys(map(subject_of, record.kills.get("rules", {})))
     return list(telling), {subject: [counts[subject] for counts in telling.values()] for subject in subjects}
-
-
-def by_construction(record: Record) -> Iterator[str]:
-    """The claims that catch no mutant, or none by what they alone rest on."""
-    catching = {kill.by for table in record.kills.values() for kills in table.values() for kill in kills}
-    rests = Counter(one for evidence in columns(record) for one in evidence)
-    for evidence, claims in columns(record).items():
-        own = [one for one in evidence if rests[one] == 1]
-        if not catching & set(own or evidence):
-            for claim in claims:
-                yield f"{claim}: {', '.join(own) if own else 'all that it rests on'} catches no mutant"
 
 
 def untried(record: Record) -> list[str]:
@@ -89,7 +70,7 @@ def show_matrix(record: Record, console: Console) -> None:
 def endings(record: Record) -> Mapping[str, list[str]]:
     """What is said below the matrix."""
     return {
-        "By construction, and no evidence:": list(by_construction(record)),
+        "By construction, and no evidence:": [f"{claim}: {why}" for claim, why in by_construction(record).items()],
         "No mutants are tried on what these rest on:": [", ".join(untried(record))],
         "Of all mutants:": list(tallies(record)),
         "Survivors:": sorted(record.survivors()) or ["none"],

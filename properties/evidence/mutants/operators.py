@@ -1,7 +1,7 @@
 """The operators: how a function's source is changed, in one place at a time.
 
 An operator takes a node of the syntax tree and gives what may stand in its place. The operators are the same for the
-rules, the invariants and the engine. A contract that says too much fails of itself: there, the ones that weaken it count.
+rules, the invariants and the engine; contracts are changed by those that drop, widen or negate.
 """
 
 from __future__ import annotations

@@ -7,6 +7,7 @@ obligation, what it assumes. `make mutants` tries all of it again, on the source
 from __future__ import annotations
 
 import json
+from collections import Counter
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -81,3 +82,32 @@ def read_kills(found: list[dict[str, Any]]) -> tuple[Kill, ...]:
     return tuple(
         Kill(one["by"], tuple(one.get("broken", ())), one.get("values", {}), one.get("on", "")) for one in found
     )
+
+
+def columns(record: Record) -> dict[tuple[str, ...], list[str]]:
+    """The claims by what they rest on: those that rest on the same catch the same."""
+    found: dict[tuple[str, ...], list[str]] = {}
+    for claim, evidence in record.claims.items():
+        found.setdefault(evidence, []).append(claim.removeprefix("claim/"))
+    return {evidence: claims for evidence, claims in found.items() if evidence}
+
+
+def by_construction(record: Record) -> dict[str, str]:
+    """The claims that catch no mutant, or none by what they alone rest on, and which evidence that is."""
+    catching = {kill.by for table in record.kills.values() for kills in table.values() for kill in kills}
+    rests = Counter(one for evidence in columns(record) for one in evidence)
+    found = {}
+    for evidence, claims in columns(record).items():
+        own = [one for one in evidence if rests[one] == 1]
+        if not catching & set(own or evidence):
+            why = f"{', '.join(own) if own else 'all that it rests on'} catches no mutant"
+            found.update(dict.fromkeys(claims, why))
+    return found
+
+
+def number_caught(record: Record, claim: str) -> int | None:
+    """How many mutants the evidence of a claim catches; None if none are tried on it."""
+    mine = set(record.claims.get(claim, ()))
+    tables = record.kills.values()
+    found = sum(any(kill.by in mine for kill in kills) for table in tables for kills in table.values())
+    return found if mine else None
