@@ -8,7 +8,14 @@ from pathlib import Path
 import pytest
 
 from properties.contracts.judging import bank, broken
-from properties.evidence.mutants.contracts import PREMISES, failure, of_contracts, premises_of, said_otherwise
+from properties.evidence.mutants.contracts import (
+    PREMISES,
+    failure,
+    of_contracts,
+    of_obligations,
+    premises_of,
+    said_otherwise,
+)
 from properties.evidence.mutants.engine import of_engine
 from properties.evidence.mutants.invariants import of_invariants
 from properties.evidence.mutants.mutant import Mutant
@@ -56,7 +63,7 @@ def test_there_are_mutants_of_every_guard_and_effect_and_of_every_chapter():
     assert {name.partition(":")[0] for name in names if name.startswith("reading/")} >= {"reading/push-limit"}
 
 
-@pytest.mark.parametrize("mutants", [of_rules, of_contracts, of_invariants, of_engine])
+@pytest.mark.parametrize("mutants", [of_rules, of_contracts, of_obligations, of_invariants, of_engine])
 def test_a_mutant_is_put_in_place_and_taken_back(mutants):
     for one in list(mutants().values())[::20]:
         own = getattr(one.target, one.attribute)
@@ -74,7 +81,7 @@ def test_a_wrong_rule_is_caught_by_the_obligation_that_it_breaks_at_values_that_
 
 
 def test_a_contract_that_promises_less_is_caught_by_the_promise_that_is_gone():
-    weaker = mutant_of(of_contracts(), "segment_keeps_margin: drop promise")
+    weaker = mutant_of(of_obligations(), "segment_keeps_margin: drop promise")
     assert said_otherwise(weaker, of_rules()[TOO_NEAR], margin_kill()) == ()
     with weaker.in_place():
         said = complaints({}, "rules", TOO_NEAR, [margin_kill_of_the_true_contract()])
@@ -90,7 +97,7 @@ def margin_kill_of_the_true_contract() -> Kill:
 
 
 def test_a_contract_that_assumes_more_is_caught_though_it_still_holds():
-    narrower = mutant_of(of_contracts(), "segment_keeps_margin: False instead of True")
+    narrower = mutant_of(of_obligations(), "segment_keeps_margin: False instead of True")
     found = failure(narrower, [MARGIN], {MARGIN: premises_of(MARGIN)})
     assert found == Kill(MARGIN, (PREMISES,))
 

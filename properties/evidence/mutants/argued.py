@@ -16,7 +16,7 @@ ARGUED = {
         "it is one more each time, and what is equal ends it"
     ),
     "request.Seen.choose: drop self.given.saw(rule.id)": "rules that fired are for the ledger; no verdict uses them",
-    "request.bystanders_keep: ask.body >= NEIGHBOUR instead of ask.body == NEIGHBOUR": (
+    "request.drive: ask.body >= NEIGHBOUR instead of ask.body == NEIGHBOUR": (
         "there are two bodies, and the name of the other comes before"
     ),
     "explore.solver_for_reals: drop solver.set('rlimit', CHECK_BUDGET)": "without a budget, an answer may take longer",

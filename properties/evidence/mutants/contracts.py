@@ -1,7 +1,8 @@
-"""The mutants of the contracts: of the obligations, and of the window on which they speak.
+"""The mutants of the contracts, of the obligations, and of the window on which they speak.
 
-A wrong contract fails on the true rules, or it assumes other premises than it did, or it says of a wrong rule something
-else than the contract does: of recorded values, other promises are broken. The last needs no solver.
+A wrong one fails on the true rules, or it assumes other premises than it did, or it says of a wrong rule something
+else than the true one does: of recorded values, other promises are broken. The last needs no solver. What lemmas
+promise rests on contracts alone, and no wrong rule breaks it; there wrong contracts take the place of wrong rules.
 """
 
 from __future__ import annotations
@@ -13,49 +14,87 @@ from properties.engine.explore import explore
 from properties.evidence.mutants.mutant import Mutant, mutants_of, told_apart
 from properties.evidence.mutants.operators import WEAKENING
 from properties.evidence.mutants.rules import of_rules
-from properties.evidence.mutants.trial import CRASHES, Kill, programs, replayed, told
+from properties.evidence.mutants.trial import CRASHES, Kill, kills_by_proofs, programs, replayed, told
 from properties.evidence.showing import texts
 
-CONTRACTS = (
-    "properties.contracts.contract",
+CONTRACTS = ("properties.contracts.contract",)
+OBLIGATIONS = (
     "properties.contracts.request",
     "properties.contracts.lemma",
     "properties.contracts.leaving",
     "properties.contracts.families",
     "properties.worlds.window",
 )
+BELOW = ("rules.clearance.", "rules.push.", "rules.walk.", "rules.leave.", "rules.request.segment")
 PREMISES = "other premises"
 
+Calls = Mapping[str, frozenset[str]]
+"""The functions that each obligation runs."""
+
 Caught = Mapping[str, Iterable[Kill]]
-"""The kills of the mutants of the rules, by name of the mutant."""
+"""The kills of the mutants of the rules and of the contracts, by name of the mutant."""
+
+
+def weakened(modules: Iterable[str]) -> dict[str, Mutant]:
+    """All mutants of some modules by the operators that drop, widen or negate."""
+    return told_apart([mutant for module in modules for mutant in mutants_of(module, operators=WEAKENING)])
 
 
 @cache
 def of_contracts() -> dict[str, Mutant]:
     """All mutants of the contracts, by name."""
-    return told_apart([mutant for module in CONTRACTS for mutant in mutants_of(module, operators=WEAKENING)])
+    return weakened(CONTRACTS)
 
 
-def kill_of_contract(
-    mutant: Mutant, caught: Caught, calls: Mapping[str, frozenset[str]], premises: Mapping[str, tuple[str, ...]]
+@cache
+def of_obligations() -> dict[str, Mutant]:
+    """All mutants of the obligations and of the window, by name."""
+    return weakened(OBLIGATIONS)
+
+
+def wrong_one(name: str) -> Mutant:
+    """A mutant that obligations catch: of the rules, or of the contracts."""
+    return of_rules()[name] if name in of_rules() else of_contracts()[name]
+
+
+def kills_of_contract(
+    mutant: Mutant, caught: Caught, calls: Calls, premises: Mapping[str, tuple[str, ...]]
+) -> tuple[Kill, ...]:
+    """What catches a mutant of a contract: the first thing that does, and all lemmas, which rest on contracts alone."""
+    with mutant.in_place():
+        proofs = kills_by_proofs(mutant, {name: calls[name] for name in calls if rests_on_contracts(calls[name])})
+        lemmas = {kill.by: kill for kill in proofs}
+    first = kill_of_obligation(mutant, caught, calls, premises)
+    return tuple(lemmas.values()) if first is None or first == lemmas.get(first.by) else (first, *lemmas.values())
+
+
+def rests_on_contracts(functions: Iterable[str]) -> bool:
+    """Whether an obligation runs no rule below a request: contracts stand in for them."""
+    return not any(function.startswith(BELOW) for function in functions)
+
+
+def kill_of_obligation(
+    mutant: Mutant, caught: Caught, calls: Calls, premises: Mapping[str, tuple[str, ...]]
 ) -> Kill | None:
-    """What catches a mutant of a contract: the first of its kind in a fixed order."""
+    """What catches a mutant of an obligation: the first of its kind in a fixed order."""
     mine = [name for name, functions in calls.items() if functions & mutant.reached]
     return disagreement(mutant, caught, frozenset(mine)) or failure(mutant, mine, premises)
 
 
 def disagreement(mutant: Mutant, caught: Caught, mine: frozenset[str]) -> Kill | None:
-    """A recorded kill of a wrong rule of which the mutant says another thing."""
+    """A recorded kill of a wrong rule or a wrong contract of which the mutant says another thing."""
     for name, kills in caught.items():
         for kill in kills:
-            if kill.by in mine and (now := said_otherwise(mutant, of_rules()[name], kill)) is not None:
+            if kill.by in mine and not kill.on and (now := said_otherwise(mutant, wrong_one(name), kill)) is not None:
                 return Kill(kill.by, now, kill.values, name)
     return None
 
 
-def said_otherwise(mutant: Mutant, rule: Mutant, kill: Kill) -> tuple[str, ...] | None:
-    """What a mutant of a contract says is broken at the values of a kill, if that is not what was said."""
-    with rule.in_place(), mutant.in_place():
+def said_otherwise(mutant: Mutant, wrong: Mutant, kill: Kill) -> tuple[str, ...] | None:
+    """What a mutant of an obligation says is broken at the values of a kill, if that is not what was said."""
+    if kill.broken == (PREMISES,) or mutant.target is wrong.target:
+        return None
+    with wrong.in_place(), mutant.in_place():
         now = replayed(kill.by, kill.values)
     return now if now is not None and now != kill.broken else None
 

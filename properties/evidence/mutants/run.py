@@ -16,7 +16,15 @@ from properties.claims.claim import Claim
 from properties.engine.explore import watched_by
 from properties.evidence.export import Recorder
 from properties.evidence.mutants.argued import ARGUED
-from properties.evidence.mutants.contracts import PREMISES, kill_of_contract, of_contracts, premises_of
+from properties.evidence.mutants.contracts import (
+    PREMISES,
+    kill_of_obligation,
+    kills_of_contract,
+    of_contracts,
+    of_obligations,
+    premises_of,
+    wrong_one,
+)
 from properties.evidence.mutants.engine import crashing_tests, failed_tests, of_engine
 from properties.evidence.mutants.invariants import of_invariants
 from properties.evidence.mutants.mutant import Mutant
@@ -47,9 +55,12 @@ BANK = "count: counts/invariants-judge"
 GROUPS: dict[str, Callable[[], dict[str, Mutant]]] = {
     "rules": of_rules,
     "contracts": of_contracts,
+    "obligations": of_obligations,
     "invariants": of_invariants,
     "engine": of_engine,
 }
+WRONG = ("rules", "contracts")
+"""The groups of which obligations are to notice each."""
 
 
 @dataclass(frozen=True)
@@ -79,10 +90,12 @@ def resting() -> dict[str, tuple[str, ...]]:
 
 
 def kills_of(known: Known, group: str, name: str) -> tuple[Kill, ...]:
-    """All that catches a mutant of the rules; of any other, the first thing that does."""
+    """All that catches a mutant of the rules or of the contracts; of any other, the first thing that does."""
     mutant = GROUPS[group]()[name]
     if group == "contracts":
-        found = kill_of_contract(mutant, known.kills, known.calls, known.premises)
+        return kills_of_contract(mutant, known.kills, known.calls, known.premises)
+    if group == "obligations":
+        found = kill_of_obligation(mutant, known.kills, known.calls, known.premises)
         return () if found is None else (found,)
     with mutant.in_place():
         if group == "invariants":
@@ -95,7 +108,7 @@ def kills_of(known: Known, group: str, name: str) -> tuple[Kill, ...]:
 
 def again(premises: Mapping[str, tuple[str, ...]], group: str, name: str, kill: Kill) -> tuple[str, ...] | None:
     """What fails of the evidence of a kill, at its values, with its mutants in place; None if it crashes."""
-    beside = of_rules()[kill.on].in_place() if kill.on else nullcontext()
+    beside = wrong_one(kill.on).in_place() if kill.on else nullcontext()
     with beside, GROUPS[group]()[name].in_place():
         if kill.broken == (PREMISES,):
             return kill.broken if premises_of(kill.by) != premises[kill.by] else ()
@@ -151,7 +164,6 @@ def record_all(progress: Callable[[str, tuple[Kill, ...]], None]) -> Record:
         record = Record(resting(), dict(known.premises))
         for group, mutants in GROUPS.items():
             found = record.kills.setdefault(group, {})
-            known = replace(known, kills=record.kills["rules"])
             tasks = executor.map(partial(kills_of, known, group), mutants(), chunksize=2)
             for name, kills in zip(mutants(), tasks, strict=True):
                 found[name] = kills
@@ -159,6 +171,7 @@ def record_all(progress: Callable[[str, tuple[Kill, ...]], None]) -> Record:
             left = [name for name, kills in found.items() if not kills]
             reasons = zip(left, executor.map(partial(set_aside, known, group), left), strict=True)
             record.equal.update({name: reason for name, reason in reasons if reason})
+            known = replace(known, kills={**known.kills, **found}) if group in WRONG else known
     return record
 
 

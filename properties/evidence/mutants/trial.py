@@ -37,7 +37,7 @@ CRASHES = (EngineError, TypeError, AttributeError, ValueError, LookupError, Recu
 class Kill:
     """What catches a mutant: a piece of evidence, what fails of it, and at which exact values, if there are any.
 
-    `on` is the mutant of the rules that is in place beside it, if there is one.
+    `on` is the mutant of the rules or of the contracts that is in place beside it, if there is one.
     """
 
     by: str
