@@ -63,6 +63,8 @@ def leaving_keeps_its_contract(rules: Rules, given: Given) -> None:
         given.ensure(
             "the rear border is at the ledge", (placed.rear.reach == 0) & (placed.rear.edge == leaving.rear.edge)
         )
+        cut_back = placed.moved == leaving.moved + leaving.rear.reach
+        given.ensure("it has moved less by what was beyond the ledge", cut_back)
     if rule in ("leave/fall", "leave/jump"):
         given.ensure("falls and jumps end the request where it has walked", placed.moved == leaving.moved)
         given.ensure("leaves only with both borders beyond the edge", leaving.rear.reach < 0)
