@@ -42,6 +42,12 @@ def fewer_terms(node: ast.AST) -> Iterator[ast.AST]:
         yield ast.BinOp(node.left, node.op, times_zero(node.right))
 
 
+def fewer_exact_terms(node: ast.AST) -> Iterator[ast.AST]:
+    """A sum or a difference without its second term, unless that is the tolerance, which is 0 on exact numbers."""
+    if isinstance(node, ast.BinOp) and not ast.unparse(node.right).endswith("tolerance"):
+        yield from fewer_terms(node)
+
+
 def other_term(node: ast.AST) -> Iterator[ast.AST]:
     """A sum or a difference with the other sign, and with its second term twice."""
     if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add | ast.Sub) and not of_sets(node):
@@ -132,8 +138,19 @@ def with_argument(call: ast.Call, place: int, other: ast.expr) -> ast.Call:
     return ast.Call(call.func, [*call.args[:place], other, *call.args[place + 1 :]], call.keywords)
 
 
-WEAKENING: tuple[Operator, ...] = (other_bound, fewer_terms, fewer_conjuncts, opposite, no_effect)
-OPERATORS: tuple[Operator, ...] = (*WEAKENING, other_term, one_of_two, another_time, other_side, other_argument)
+WEAKENING: tuple[Operator, ...] = (other_bound, fewer_exact_terms, fewer_conjuncts, opposite, no_effect)
+OPERATORS: tuple[Operator, ...] = (
+    other_bound,
+    fewer_terms,
+    other_term,
+    fewer_conjuncts,
+    opposite,
+    one_of_two,
+    no_effect,
+    another_time,
+    other_side,
+    other_argument,
+)
 
 
 def times_zero(term: ast.expr) -> ast.expr:
