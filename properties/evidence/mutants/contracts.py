@@ -25,7 +25,6 @@ OBLIGATIONS = (
     "properties.contracts.families",
     "properties.worlds.window",
 )
-BELOW = ("rules.clearance.", "rules.push.", "rules.walk.", "rules.leave.", "rules.request.segment")
 PREMISES = "other premises"
 
 Calls = Mapping[str, frozenset[str]]
@@ -69,8 +68,8 @@ def kills_of_contract(
 
 
 def rests_on_contracts(functions: Iterable[str]) -> bool:
-    """Whether an obligation runs no rule below a request: contracts stand in for them."""
-    return not any(function.startswith(BELOW) for function in functions)
+    """Whether an obligation runs no rule: contracts stand in for all of them."""
+    return not any(function.startswith("rules.") for function in functions)
 
 
 def kill_of_obligation(
