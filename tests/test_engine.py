@@ -4,10 +4,12 @@ from dataclasses import replace
 from fractions import Fraction
 
 import pytest
+import z3
 
 from properties.engine import explore as engine
 from properties.engine.explore import Counterexample, EngineError, Outcome, explore
 from properties.engine.merge import merged
+from properties.engine.simplest import smallest
 from properties.given import Exact, Infeasible
 
 
@@ -390,6 +392,8 @@ def test_branches_that_cannot_be_are_not_run():
         given.ensure("something", True)
         if a > 3:
             given.ensure("larger still", bool(a > 2))
+        else:
+            given.ensure("smaller still", bool(a < 4))
         given.ensure("not below 0", not (a < 0))
 
     outcome = explore(program)
@@ -432,8 +436,10 @@ def test_the_work_of_an_exploration_is_its_own():
     def program(given):
         given.ensure("something", given.number("a") + given.number("b") >= 0)
 
-    once, again = explore(program), explore(program)
-    assert 0 < again.resources < 2 * once.resources
+    explore(program)
+    before = engine.work_so_far()
+    outcome = explore(program)
+    assert 0 < outcome.resources <= engine.work_so_far() - before
 
 
 def test_counterexamples_are_on_the_coarsest_grid_and_small():
@@ -449,3 +455,19 @@ def test_counterexamples_are_on_the_coarsest_grid_and_small():
         given.ensure("nothing between", (a * 5 <= 11) | (a * 5 >= 12) | (a * 100 <= 222))
 
     assert explore(quarters).counterexample.values["a"] == Fraction(9, 4)
+
+
+def test_a_counterexample_tells_the_truths_that_it_takes():
+    outcome = explore(lambda given: given.ensure("never there", not given.flag("there")))
+    assert outcome.counterexample.values == {"there": True}
+
+
+def test_a_large_model_is_made_small_by_halving():
+    number, solver = z3.Real("number"), z3.Solver()
+    solver.add(z3.Or(*(number == size for size in (1000, 700, 300, 3))))
+    solver.push()
+    solver.add(number == 1000)
+    assert solver.check() == z3.sat
+    large = solver.model()
+    solver.pop()
+    assert smallest(solver, [number], large).eval(number).as_fraction() == 3

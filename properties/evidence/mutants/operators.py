@@ -23,6 +23,8 @@ OTHER_BOUND: dict[type[ast.cmpop], tuple[type[ast.cmpop], ...]] = {
 EXCHANGED = {"front": "rear", "rear": "front", "drop": "across", "across": "drop"}
 SAME_KIND = {"other": "body", "rear": "front", "front": "rear"}
 ALIKE = "__import__('properties.evidence.mutants.mutant', fromlist=['alike']).alike"
+OF_FORM = ("strict", "model_completion", "som", "arith_lhs", "sort_sums")
+"""Options of `zip` and of the solver: what is noticed, in which form the same is said, which questions are saved."""
 LENGTHS = ("moved", "stride", "rest", "distance")
 TWICE = ("yield Ask", "yield from rules", "rules.follow", "rules.leave", "view.place")
 BOTH_SIDED = ("view", "leaving", "placement", "jump", "other", "best", "placed")
@@ -159,10 +161,10 @@ def times_zero(term: ast.expr) -> ast.expr:
 
 
 def unread(function: ast.FunctionDef) -> set[int]:
-    """The identities of nodes that decide nothing: annotations of variables, and that a `zip` is to be strict."""
+    """The identities of nodes that decide nothing: annotations of variables, and options that decide no answer."""
     types = [one.annotation for one in ast.walk(function) if isinstance(one, ast.AnnAssign)]
-    strict = [one.value for one in ast.walk(function) if isinstance(one, ast.keyword) and one.arg == "strict"]
-    return {id(node) for root in (*types, *strict) for node in ast.walk(root)}
+    options = [one.value for one in ast.walk(function) if isinstance(one, ast.keyword) and one.arg in OF_FORM]
+    return {id(node) for root in (*types, *options) for node in ast.walk(root)}
 
 
 @dataclass(frozen=True)

@@ -22,7 +22,6 @@ from properties.evidence.mutants.contracts import (
     kills_of_contract,
     of_contracts,
     of_obligations,
-    premises_of,
     wrong_one,
 )
 from properties.evidence.mutants.engine import crashing_tests, failed_tests, of_engine
@@ -37,6 +36,7 @@ from properties.evidence.mutants.trial import (
     crash_of,
     errata,
     functions_called,
+    interface,
     kills_by_proofs,
     kills_by_rows,
     kills_by_runs,
@@ -111,7 +111,7 @@ def again(premises: Mapping[str, tuple[str, ...]], group: str, name: str, kill: 
     beside = wrong_one(kill.on).in_place() if kill.on else nullcontext()
     with beside, GROUPS[group]()[name].in_place():
         if kill.broken == (PREMISES,):
-            return kill.broken if premises_of(kill.by) != premises[kill.by] else ()
+            return kill.broken if interface(kill.by) != premises[kill.by] else ()
         if kill.by == "test":
             return failed_tests(*kill.broken)
         if kill.by.startswith("count: "):
@@ -133,14 +133,14 @@ def complaints(premises: Mapping[str, tuple[str, ...]], group: str, name: str, k
     return found
 
 
-def interface(name: str) -> tuple[str, frozenset[str], tuple[str, ...]]:
+def facts_of(name: str) -> tuple[str, frozenset[str], tuple[str, ...]]:
     """The functions that an obligation runs, and its premises."""
-    return name, functions_called(name), premises_of(name)
+    return name, functions_called(name), interface(name)
 
 
 def learnt(executor: Executor) -> Known:
     """What is to be known before mutants are tried."""
-    found = list(executor.map(interface, programs()))
+    found = list(executor.map(facts_of, programs()))
     calls, premises = {name: calls for name, calls, _ in found}, {name: said for name, _, said in found}
     return Known(calls, premises, dict(zip(errata(), executor.map(witness_of, errata()), strict=True)))
 
@@ -195,7 +195,7 @@ def lost(record: Record) -> Iterator[str]:
             yield f"{claim}: rests on {', '.join(evidence)}; recorded is {', '.join(record.claims.get(claim, ()))}"
     yield from (f"{claim}: recorded, but there is no such claim" for claim in record.claims if claim not in resting())
     with pool() as executor:
-        for name, said in zip(programs(), executor.map(premises_of, programs()), strict=True):
+        for name, said in zip(programs(), executor.map(interface, programs()), strict=True):
             if said != record.premises.get(name):
                 yield f"{name}: assumes {', '.join(said)}; recorded is {', '.join(record.premises.get(name, ()))}"
     for _, wrong in tried_again(record):

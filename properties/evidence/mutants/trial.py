@@ -6,6 +6,8 @@ it is not decided.
 
 from __future__ import annotations
 
+import contextlib
+import signal
 import sys
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
@@ -17,7 +19,7 @@ from properties.claims.catalogue import CLAIMS
 from properties.claims.claim import Claim, Erratum, Obligation
 from properties.contracts.errata import Stage
 from properties.contracts.request import judged
-from properties.engine.explore import EngineError, Program, explore
+from properties.engine.explore import EngineError, Exploration, Outcome, Program, explore, watched_by
 from properties.evidence.mutants.mutant import COMPARE, Mutant, called
 from properties.evidence.sample import campaign
 from properties.evidence.showing import Texts, texts
@@ -30,7 +32,24 @@ from spec.rule import GuardError
 CRASHING = "makes its evidence crash"
 EXAMPLES, ROWS = 100, "rows: random"
 KEPT = "what the witness broke is kept"
-CRASHES = (EngineError, TypeError, AttributeError, ValueError, LookupError, RecursionError, NameError, AssertionError)
+SECONDS = 10
+
+
+class DoesNotEnd(KeyboardInterrupt):
+    """What is tried goes on and on; of tests, only an interrupt stops all."""
+
+
+CRASHES = (
+    DoesNotEnd,
+    EngineError,
+    TypeError,
+    AttributeError,
+    ValueError,
+    LookupError,
+    RecursionError,
+    NameError,
+    AssertionError,
+)
 
 
 @dataclass(frozen=True)
@@ -44,6 +63,22 @@ class Kill:
     broken: tuple[str, ...]
     values: Texts = field(default_factory=dict)
     on: str = ""
+
+
+@contextlib.contextmanager
+def ended() -> Iterator[None]:
+    """Stop what does not end, after some seconds of the processor; what is stopped counts as nothing."""
+
+    def stop(number: int, frame: FrameType | None) -> None:
+        raise DoesNotEnd
+
+    before = signal.signal(signal.SIGVTALRM, stop)
+    signal.setitimer(signal.ITIMER_VIRTUAL, SECONDS)
+    try:
+        yield
+    finally:
+        signal.setitimer(signal.ITIMER_VIRTUAL, 0)
+        signal.signal(signal.SIGVTALRM, before)
 
 
 def name_of(claim: Claim, obligation: Obligation) -> str:
@@ -77,10 +112,24 @@ def functions_called(name: str) -> frozenset[str]:
     return frozenset(map(called, seen))
 
 
+def explored(name: str) -> Outcome:
+    """Explore an obligation up to a counterexample, unless that does not end."""
+    with ended():
+        return explore(programs()[name])
+
+
+def interface(name: str) -> tuple[str, ...]:
+    """The names of all that an obligation assumes and draws, the signs of numbers included."""
+    seen: list[Exploration] = []
+    with watched_by(seen.append):
+        assumed = explored(name).assumed
+    return told((*assumed, *seen[0].drawn.flags))
+
+
 def attempt(name: str) -> Kill | None:
-    """Explore an obligation up to a counterexample."""
+    """What an obligation finds, if it fails."""
     try:
-        found = explore(programs()[name]).counterexample
+        found = explored(name).counterexample
     except CRASHES:
         return None
     return None if found is None else Kill(name, told(found.broken), texts(found.values))
@@ -95,7 +144,8 @@ def replayed(name: str, values: Texts) -> tuple[str, ...] | None:
     """The promises of an obligation that exact values break, up to a premise that they break; None if it crashes."""
     exact = Exact(values)
     try:
-        programs()[name](exact)
+        with ended():
+            programs()[name](exact)
     except Infeasible:
         pass
     except CRASHES:
@@ -115,7 +165,7 @@ def crash_of(mutant: Mutant, calls: Mapping[str, frozenset[str]]) -> str | None:
     for name in (name for name, functions in calls.items() if functions & mutant.reached):
         with mutant.in_place():
             try:
-                explore(programs()[name])
+                explored(name)
             except CRASHES as error:
                 return f"{CRASHING}: {name}, {type(error).__name__}"
     return None
