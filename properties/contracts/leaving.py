@@ -113,7 +113,7 @@ def landing_keeps_width(rules: Rules, given: Given) -> None:
 def fit_places_the_whole_width(rules: Rules, given: Given) -> None:
     """What is left of a width is placed on from where its walk has ended: in the wall, if anything is left."""
     seen = lonely_window(given, ledges=True)
-    motion = Motion(seen.start, rest=given.number("width left"), going=False)
+    motion = Motion(seen.start, rest=given.number("width left"))
     front = seen_by(given, rules).fit.choose(motion).effect((seen, motion))
     given.ensure("the whole width is placed", front.travelled == seen.start.travelled + motion.rest)
 

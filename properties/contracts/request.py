@@ -308,7 +308,7 @@ def request_exact(rules: Rules, given: Given) -> None:
 def any_order(given: Given) -> Ahead:
     """Anything ahead of a body: a body ahead of it, at any distance, or none."""
     gap = given.number("gap", IN_ORDER.id) if given.flag("a body is ahead") else None
-    return Ahead(given.number("margin"), gap, None, None, given.natural("bodies that may be asked"), pushes=True)
+    return Ahead(given.number("margin"), gap, None, None, given.natural("bodies that may be asked"))
 
 
 def any_ahead(given: Given) -> Ahead:
@@ -316,7 +316,7 @@ def any_ahead(given: Given) -> Ahead:
     margin, spare = given.number("margin"), given.natural("bodies that may be asked")
     wall = given.number("distance to the wall") if given.flag("there is a wall") else None
     if not given.flag("a body is ahead"):
-        return Ahead(margin, None, wall, None, spare, pushes=True)
+        return Ahead(margin, None, wall, None, spare)
     gap, able = given.number("gap"), given.number("capacity of the neighbour")
     ahead = Ahead(margin, gap, wall, able, spare, given.flag("the body may push"))
     assume_required(given, REQUEST_EXACT, Call(asked=gap, moved=gap, ahead=ahead))
@@ -379,7 +379,7 @@ def rear_walks_on(rules: Rules, given: Given) -> None:
     seen = window(given, ledges=True)
     before = any_motion(given, seen.start)
     wall = seen.start.reach if seen.next_length is None and not seen.ledge else None
-    ahead = Ahead(seen.margin, None, wall, None, before.rest * 0, pushes=False)
+    ahead = Ahead(seen.margin, None, wall, None, before.rest * 0)
     assume_required(given, REAR, Stretch(asked=before.rest, moved=before.rest, ahead=ahead))
     after = walk(seen_by(given, rules).walk, seen, before, Way(before.rest, blocked=False))
     stretch = stretch_of(seen, before, after, ahead)
@@ -409,10 +409,9 @@ def rear_follows_by_the_same(rules: Rules, given: Given) -> None:
 
 
 def segment_in_wall(rules: Rules, given: Given) -> None:
-    """A border that a landing has put inside a wall stays where it is, whatever is asked of it."""
+    """A border that a landing has put at a wall or inside it stays where it is, whatever is asked of it."""
     seen = lonely_window(given, ledges=False)
     inside = given.number("how far inside the wall")
-    given.assume(inside > 0, "the border is inside the wall")
     start = replace(seen.start, reach=inside * -1)
     seen = replace(seen, next_length=None, start=start)
     stretch, after = run_segment(rules, given, seen, SEGMENT)

@@ -13,7 +13,7 @@ from functools import cache
 from properties.evidence.mutants.mutant import Mutant, mutants_of, told_apart
 from properties.evidence.mutants.operators import WEAKENING
 from properties.evidence.mutants.rules import of_rules
-from properties.evidence.mutants.trial import CRASHES, Kill, explored, interface, kills_by_proofs, replayed, told
+from properties.evidence.mutants.trial import CRASHES, Kill, explored, kills_by_proofs, replayed, said_by, told
 from properties.evidence.showing import texts
 
 CONTRACTS = ("properties.contracts.contract",)
@@ -102,11 +102,12 @@ def failure(mutant: Mutant, mine: Iterable[str], premises: Mapping[str, tuple[st
     with mutant.in_place():
         for name in mine:
             try:
-                outcome = explored(name)
+                exploration = explored(name)
             except CRASHES:
                 continue
-            if outcome.counterexample is not None:
-                return Kill(name, told(outcome.counterexample.broken), texts(outcome.counterexample.values))
-            if interface(name) != premises[name]:
+            found = exploration.outcome.counterexample
+            if found is not None:
+                return Kill(name, told(found.broken), texts(found.values))
+            if said_by(exploration) != premises[name]:
                 return Kill(name, (PREMISES,), {})
     return None

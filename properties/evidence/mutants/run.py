@@ -13,7 +13,6 @@ from pathlib import Path
 
 from properties.claims.catalogue import CLAIMS
 from properties.claims.claim import Claim
-from properties.engine.explore import watched_by
 from properties.evidence.export import Recorder
 from properties.evidence.mutants.argued import ARGUED
 from properties.evidence.mutants.contracts import (
@@ -31,10 +30,10 @@ from properties.evidence.mutants.record import Kills, Record
 from properties.evidence.mutants.rules import of_rules
 from properties.evidence.mutants.trial import (
     Kill,
-    attempt,
     count_crash,
     crash_of,
     errata,
+    explored,
     functions_called,
     interface,
     kills_by_proofs,
@@ -216,5 +215,5 @@ def exported(record: Record, directory: Path) -> dict[str, str]:
 
 def write_broken(directory: Path, stem: str, name: str, obligation: str) -> None:
     """Write what an obligation explores up to the counterexample with a mutant in place."""
-    with of_rules()[name].in_place(), watched_by(Recorder(directory, stem, only_broken=True)):
-        attempt(obligation)
+    with of_rules()[name].in_place():
+        Recorder(directory, stem, only_broken=True)(explored(obligation))

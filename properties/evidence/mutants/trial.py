@@ -19,7 +19,7 @@ from properties.claims.catalogue import CLAIMS
 from properties.claims.claim import Claim, Erratum, Obligation
 from properties.contracts.errata import Stage
 from properties.contracts.request import judged
-from properties.engine.explore import EngineError, Exploration, Outcome, Program, explore, watched_by
+from properties.engine.explore import EngineError, Exploration, Program, explore, watched_by
 from properties.evidence.mutants.mutant import COMPARE, Mutant, called
 from properties.evidence.sample import campaign
 from properties.evidence.showing import Texts, texts
@@ -112,24 +112,28 @@ def functions_called(name: str) -> frozenset[str]:
     return frozenset(map(called, seen))
 
 
-def explored(name: str) -> Outcome:
+def explored(name: str) -> Exploration:
     """Explore an obligation up to a counterexample, unless that does not end."""
-    with ended():
-        return explore(programs()[name])
+    seen: list[Exploration] = []
+    with ended(), watched_by(seen.append):
+        explore(programs()[name])
+    return seen[0]
+
+
+def said_by(exploration: Exploration) -> tuple[str, ...]:
+    """The names of all that was assumed and drawn, the signs of numbers included."""
+    return told((*exploration.outcome.assumed, *exploration.drawn.flags))
 
 
 def interface(name: str) -> tuple[str, ...]:
-    """The names of all that an obligation assumes and draws, the signs of numbers included."""
-    seen: list[Exploration] = []
-    with watched_by(seen.append):
-        assumed = explored(name).assumed
-    return told((*assumed, *seen[0].drawn.flags))
+    """The names of all that an obligation assumes and draws."""
+    return said_by(explored(name))
 
 
 def attempt(name: str) -> Kill | None:
     """What an obligation finds, if it fails."""
     try:
-        found = explored(name).counterexample
+        found = explored(name).outcome.counterexample
     except CRASHES:
         return None
     return None if found is None else Kill(name, told(found.broken), texts(found.values))
