@@ -10,6 +10,7 @@ from pathlib import Path
 from rich.console import Console
 from rich.table import Table
 
+from properties.evidence.mutants.argued import UNNOTICED
 from properties.evidence.mutants.record import Record, by_construction, columns
 
 PAGE = Path("docs/mutants.md")
@@ -44,9 +45,10 @@ def tallies(record: Record) -> Iterator[str]:
     """How many mutants there are of each group, and how many are caught."""
     for group, table in record.kills.items():
         caught = sum(bool(kills) for kills in table.values())
-        equal = sum(name in record.equal for name in table)
-        left = len(table) - caught - equal
-        yield f"{group}: {len(table)} mutants, {caught} caught, {equal} set aside, {left} survive"
+        unnoticed = sum(record.equal.get(name) == UNNOTICED for name in table)
+        equal = sum(name in record.equal for name in table) - unnoticed
+        left = len(table) - caught - equal - unnoticed
+        yield f"{group}: {len(table)} mutants, {caught} caught, {equal} set aside, {unnoticed} open, {left} survive"
 
 
 def show_matrix(record: Record, console: Console) -> None:
@@ -73,6 +75,7 @@ def endings(record: Record) -> Mapping[str, list[str]]:
         "By construction, and no evidence:": [f"{claim}: {why}" for claim, why in by_construction(record).items()],
         "No mutants are tried on what these rest on:": [", ".join(untried(record))],
         "Of all mutants:": list(tallies(record)),
+        "Noticed by nothing, and open:": [name for name, why in record.equal.items() if why == UNNOTICED] or ["none"],
         "Survivors:": sorted(record.survivors()) or ["none"],
     }
 
@@ -88,7 +91,7 @@ def page_of(record: Record) -> str:
     lines += ["", *(f"{number}. {head}" for number, head in enumerate(heads, 1)), ""]
     for title, said in endings(record).items():
         lines += [f"**{title}**", "", *(f"- {one}" for one in said), ""]
-    lines += ["**Shown to be no change:**", "", *(f"- `{name}`: {why}" for name, why in record.equal.items())]
+    lines += ["**Set aside:**", "", *(f"- `{name}`: {why}" for name, why in record.equal.items() if why != UNNOTICED)]
     return "\n".join(lines).rstrip() + "\n"
 
 

@@ -14,7 +14,7 @@ from pathlib import Path
 from properties.claims.catalogue import CLAIMS
 from properties.claims.claim import Claim
 from properties.evidence.export import Recorder
-from properties.evidence.mutants.argued import ARGUED
+from properties.evidence.mutants.argued import ARGUED, OPEN, UNNOTICED
 from properties.evidence.mutants.contracts import (
     PREMISES,
     kill_of_obligation,
@@ -149,6 +149,8 @@ def set_aside(known: Known, group: str, name: str) -> str | None:
     mutant = GROUPS[group]()[name]
     if name in ARGUED:
         return f"argued: {ARGUED[name]}"
+    if name in OPEN:
+        return UNNOTICED
     if group == "invariants":
         return count_crash(mutant, BANK)
     if group == "engine":
