@@ -78,7 +78,11 @@ def mutant_line(own: Ledger) -> str:
     if own.mutants is None:
         return "none are tried on what it rests on"
     found = f"its evidence catches {own.mutants}"
-    return f"{found}; of its own it catches none: by construction, and no evidence" if own.by_construction else found
+    return (
+        f"{found}; of its own it catches none: by construction, as far as mutants tell"
+        if own.by_construction
+        else found
+    )
 
 
 def look_lines(settled: Settled, showings: dict[Job, Showing]) -> Iterator[str]:

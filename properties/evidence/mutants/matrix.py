@@ -72,7 +72,9 @@ def show_matrix(record: Record, console: Console) -> None:
 def endings(record: Record) -> Mapping[str, list[str]]:
     """What is said below the matrix."""
     return {
-        "By construction, and no evidence:": [f"{claim}: {why}" for claim, why in by_construction(record).items()],
+        "By construction, as far as mutants tell:": [
+            f"{claim}: {why}" for claim, why in by_construction(record).items()
+        ],
         "No mutants are tried on what these rest on:": [", ".join(untried(record))],
         "Of all mutants:": list(tallies(record)),
         "Noticed by nothing, and open:": [name for name, why in record.equal.items() if why == UNNOTICED] or ["none"],
@@ -99,5 +101,6 @@ HEAD = """# What the mutants show
 
 Written by `make mutants-record`, checked by `make mutants`. [proofs.md](proofs.md) says what a mutant is.
 A row is a rule or a function, a column the claims that rest on the same evidence; a number says how many mutants of the
-row the evidence of the column catches.
+row the evidence of the column catches. Counts, witnesses and random rows are tried only on what no obligation catches, and
+nothing of the reference world is changed: what is by construction here may catch what was not tried.
 """
