@@ -16,7 +16,7 @@ SOURCE := $(shell find spec reference properties -name '*.py')
 
 .PHONY: help
 help: ## list the targets
-	@awk -F ':.*## ' '/^[a-z.-]+:.*## / { printf "  make %-11s %s\n", $$1, $$2 }' $(firstword $(MAKEFILE_LIST))
+	@awk -F ':.*## ' '/^[a-z.-]+:.*## / { printf "  make %-14s %s\n", $$1, $$2 }' $(firstword $(MAKEFILE_LIST))
 
 # The packages exactly as pinned: made from nothing whenever the pins change.
 $(PINNED): requirements.txt
@@ -63,9 +63,13 @@ bench: $(READY) ## time the proofs, beside CrossHair; write docs/benchmarks.md
 	@PYTHONPATH=tests $(BIN)/python -m benchmarks.page build/bench.json docs/benchmarks.md
 
 .PHONY: mutants
-mutants: $(READY) ## show that the properties catch deliberately broken rules
+mutants: $(READY) ## show that wrong rules, contracts, invariants and engines are caught, as docs/mutants.md says
 	@rm -rf $(BROKEN)
 	@$(BIN)/graphbody mutants --export $(BROKEN)
+
+.PHONY: mutants-record
+mutants-record: $(READY) ## find anew what catches each mutant, and write docs/mutants.md and docs/mutants.json
+	@$(BIN)/graphbody mutants --record
 
 # What was exported stands for the sources it was made from. An export is made anew, never added to.
 $(SMTLIB)/obligations.json: $(READY) $(SOURCE)

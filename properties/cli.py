@@ -330,27 +330,32 @@ def cross_check(
 
 @app.command()
 def mutants(
+    record: Annotated[bool, typer.Option("--record", help="Find what catches each, and write it down.")] = False,
     export: Annotated[Path | None, typer.Option(help="A directory for the proofs that fail, as SMT-LIB 2.")] = None,
 ) -> None:
-    """Change the rules' source in one place at a time; each change must be caught by some evidence."""
-    from properties.evidence.mutate import fates, file_of
+    """Change the project's source in one place at a time; each change must be caught, as it is recorded to be."""
+    from rich.console import Console
+
+    from properties.evidence.mutants.matrix import PAGE, page_of, show_matrix
+    from properties.evidence.mutants.record import RECORD, read_record, write_record
+    from properties.evidence.mutants.run import exported, lost, record_all
 
     prepare_export(export)
-    survivors = total = 0
-    exported = {}
-    for fate in fates(export):
-        total += 1
-        if export is not None and fate.by_proof:
-            exported[file_of(export, total, fate.mutant).name] = "sat"
-        survivors += fate.caught_by is None
-        verdict = f"caught by {fate.caught_by}" if fate.caught_by else f"SURVIVES {fate.trouble}"
-        print(f"{fate.mutant.chapter}: {fate.mutant.change}\n    {verdict}", flush=True)
-    print(f"{total} mutants, {total - survivors} caught, {survivors} survive")
+    if record:
+        found = record_all(lambda name, kills: print(f"{name}\n    {kills[0].by if kills else 'SURVIVES'}", flush=True))
+        write_record(found)
+        PAGE.write_text(page_of(found))
+    known = read_record()
+    show_matrix(known, Console(width=None if sys.stdout.isatty() else 120))
+    wrong = list(lost(known))
+    if not PAGE.exists() or PAGE.read_text() != page_of(known):
+        wrong.append(f"{PAGE}: expected what {RECORD} says; `make mutants-record` writes both")
+    print(*wrong, sep="\n")
     if export is not None:
         from properties.evidence.export import write_list
 
-        print(f"{write_list(export, exported)} failed obligations in {export}")
-    if survivors or not total:
+        print(f"{write_list(export, exported(known, export))} failed obligations in {export}")
+    if wrong or not known.kills:
         raise typer.Exit(1)
 
 

@@ -68,8 +68,21 @@ def ledger_lines(settled: Settled, showings: dict[Job, Showing]) -> Iterator[str
         yield from look_lines(settled, showings)
         yield from monitor_lines(own)
         yield f"  work of the solver: {own.resources}{differing(own.spread)}"
+    yield f"  mutants: {mutant_line(own)}"
     for job in proofs_of(claim):
         yield from proof_lines(job, showings)
+
+
+def mutant_line(own: Ledger) -> str:
+    """How many mutants the evidence catches, as it is recorded."""
+    if own.mutants is None:
+        return "none are tried on what it rests on"
+    found = f"its evidence catches {own.mutants}"
+    return (
+        f"{found}; of its own it catches none: by construction, as far as mutants tell"
+        if own.by_construction
+        else found
+    )
 
 
 def look_lines(settled: Settled, showings: dict[Job, Showing]) -> Iterator[str]:

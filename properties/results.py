@@ -28,6 +28,10 @@ class Ledger(Record, frozen=True):
     spread: Annotated[
         float | None, says("the most by which the work on a proof differs between seeds, as a share, or null")
     ]
+    mutants: Annotated[
+        int | None, says("how many mutants its evidence catches, by docs/mutants.json, or null if none are tried")
+    ]
+    by_construction: Annotated[bool, says("whether what it alone rests on catches none, and counts for nothing")]
 
 
 class Evidence(Record, frozen=True):

@@ -119,10 +119,12 @@ def in_direction(deed: Deed[N]) -> Truth:
 def chain(deed: Deed[N]) -> Iterator[tuple[int, int]]:
     """Each body of the row ahead of the mover with the one behind it, up to the mover or the row's end."""
     behind = deed.body
-    ahead = deed.before.beside(behind, deed.direction)
-    while ahead is not None and ahead != deed.body:
+    for _ in deed.before.bodies_in_order():
+        ahead = deed.before.beside(behind, deed.direction)
+        if ahead is None or ahead == deed.body:
+            return
         yield behind, ahead
-        behind, ahead = ahead, deed.before.beside(ahead, deed.direction)
+        behind = ahead
 
 
 def gap_ahead(state: State[N], behind: int, ahead: int, direction: Direction) -> N:

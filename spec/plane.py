@@ -138,7 +138,10 @@ def never_raised(deed: Deed[N]) -> Truth:
 def carriers(world: Any, body: int) -> list[int]:
     """A body and all it stands on."""
     chain = [body]
-    while len(chain) <= len(world.bodies) and (below := world.support(chain[-1])) is not None:
+    for _ in world.bodies:
+        below = world.support(chain[-1])
+        if below is None:
+            break
         chain.append(below)
     return chain
 

@@ -1,12 +1,15 @@
 """The engine must earn its trust: it finds what is wrong, proves what is right and admits what it cannot say."""
 
+from dataclasses import replace
 from fractions import Fraction
 
 import pytest
+import z3
 
 from properties.engine import explore as engine
-from properties.engine.explore import EngineError, explore
+from properties.engine.explore import Counterexample, EngineError, Outcome, explore
 from properties.engine.merge import merged
+from properties.engine.simplest import smallest
 from properties.given import Exact, Infeasible
 
 
@@ -239,3 +242,232 @@ def test_a_part_whose_paths_leave_values_out_is_noticed(monkeypatch):
     leave_branches_out(monkeypatch)
     with pytest.raises(EngineError, match="of a part do not cover"):
         explore(smaller_and_larger)
+
+
+def test_proved_is_what_holds_on_some_path_for_some_values_with_nothing_open():
+    whole = Outcome(paths=1, promises=1, witness={})
+    assert whole.proved
+    refuted = {"counterexample": Counterexample((), {})}
+    lacking = ({"paths": 0}, {"promises": 0}, {"witness": None}, {"open": ["?"]}, refuted)
+    assert [replace(whole, **one).proved for one in lacking] == [False] * len(lacking)
+
+
+def flags(given, many):
+    """As many truth values as one likes, each of which is there or not."""
+    return [given.flag(str(place)) for place in range(many)]
+
+
+def test_every_path_is_run_once_and_the_rules_of_each_are_kept():
+    def program(given):
+        for place, there in enumerate(flags(given, 3)):
+            given.saw(f"{place} {there}")
+        given.ensure("something", True)
+
+    outcome = explore(program)
+    assert (outcome.paths, len(outcome.sequences), len(outcome.rules)) == (8, 8, 6)
+    assert outcome.exhaustive
+    assert outcome.resources > 0
+
+
+@pytest.mark.parametrize(("budget", "done"), [(3, False), (4, True)])
+def test_a_budget_of_paths_that_is_spent_is_told(budget, done, monkeypatch):
+    def program(given):
+        given.ensure("something", len(flags(given, 2)) == 2)
+
+    monkeypatch.setattr(engine, "MOST_PATHS", budget)
+    outcome = explore(program)
+    assert (outcome.proved, outcome.paths) == (done, budget)
+    assert bool(outcome.open) is not done
+
+
+def test_a_program_that_draws_without_end_is_refused(monkeypatch):
+    def program(given):
+        drawn = 0
+        while given.flag(str(drawn)):
+            drawn += 1
+
+    monkeypatch.setattr(engine, "MOST_DRAWN", 5)
+    with pytest.raises(EngineError, match="may not end"):
+        explore(program)
+
+
+def test_a_promise_before_a_program_gives_up_is_judged():
+    def program(given):
+        given.ensure("never", given.number("a") < 0)
+        raise Infeasible
+
+    assert explore(program).counterexample is not None
+
+
+def test_premises_are_told_by_name_and_those_that_were_used():
+    def program(given):
+        a, b = given.number("a", "a counts"), given.number("b")
+        given.assume(a > 2, "a is large")
+        given.assume(b > 2, "b is large")
+        given.ensure("a is not small", a > 1)
+
+    outcome = explore(program)
+    assert outcome.assumed == {"a counts", "b >= 0", "a is large", "b is large"}
+    assert outcome.used == {"a is large"}
+
+
+def test_a_natural_number_is_whole_and_at_least_nothing():
+    def program(given):
+        n = given.natural("n")
+        given.ensure("at least 0", n >= 0)
+        given.ensure("whole", (n <= 0) | (n >= 1))
+
+    outcome = explore(program)
+    assert outcome.proved
+    assert outcome.assumed == {"n >= 0"}
+    assert explore(lambda given: given.ensure("not 0", given.natural("n") > 0)).counterexample.values == {"n": 0}
+
+
+def test_a_witness_that_breaks_a_promise_on_exact_numbers_is_refused():
+    with pytest.raises(EngineError, match="does not keep"):
+        explore(lambda given: given.ensure("not on exact numbers", not isinstance(given, Exact)))
+
+
+def test_a_witness_of_which_nothing_is_promised_on_exact_numbers_is_refused():
+    def program(given):
+        if not isinstance(given, Exact):
+            given.ensure("only of symbolic numbers", True)
+
+    with pytest.raises(EngineError, match="does not keep"):
+        explore(program)
+
+
+def test_a_counterexample_that_breaks_a_premise_on_exact_numbers_is_refused():
+    def program(given):
+        given.assume(not isinstance(given, Exact))
+        given.ensure("never", False)
+
+    with pytest.raises(EngineError, match="breaks a premise"):
+        explore(program)
+
+
+def test_a_comparison_is_the_same_however_it_is_written():
+    def program(given):
+        a, b = given.number("a"), given.number("b")
+        given.ensure("less", (a < b) == (b > a))
+        given.ensure("at most", (a <= b) == (b >= a))
+        given.ensure("doubled", (a * 2 < b * 2) == (a < b))
+        given.ensure("turned", (a * -1 < b * -1) == (b < a))
+        given.ensure("not equal", (a != b) == ((a < b) | (a > b)))
+        given.ensure("shifted", (1 - a < 1 - b) == (a > b))
+
+    outcome = explore(program)
+    assert outcome.proved
+    assert outcome.paths == 1
+
+
+def test_a_comparison_of_known_numbers_is_a_plain_truth():
+    def program(given):
+        a = given.number("a")
+        zero, one = a - a, a - a + 1
+        plain = (zero < one, zero <= 0, zero == 0, one > 0, one >= 1, one != 0, a * 0 == 0)
+        given.ensure("all hold", all(truth is True for truth in plain))
+        contrary = (zero < 0, one <= 0, zero == 1, zero > 0, zero >= 1, one != 1)
+        given.ensure("none holds", all(truth is False for truth in contrary))
+
+    assert explore(program).proved
+
+
+def test_truths_are_combined_with_plain_ones():
+    def program(given):
+        a = given.number("a")
+        large = a > 1
+        given.ensure("and", ((large & True) == large) & ((True & large) == large))
+        given.ensure("and not", (large & False) is False)
+        given.ensure("or", ((large | False) == large) & ((False | large) == large))
+        given.ensure("or so", (large | True) is True)
+        given.ensure("neither", ((large == True) == large) & ((large == False) == (a <= 1)))  # noqa: E712
+
+    assert explore(program).proved
+
+
+def test_branches_that_cannot_be_are_not_run():
+    def program(given):
+        a = given.number("a")
+        given.ensure("something", True)
+        if a > 3:
+            given.ensure("larger still", bool(a > 2))
+        else:
+            given.ensure("smaller still", bool(a < 4) and bool(a < 5))
+        given.ensure("not below 0", not (a < 0))
+
+    outcome = explore(program)
+    assert outcome.proved
+    assert outcome.paths == 2
+
+
+def test_sums_keep_what_is_known_of_both():
+    def program(given):
+        a, b = given.number("a"), given.number("b")
+        given.ensure("sum", (a + 1) + (b + 2) == a + b + 3)
+        given.ensure("difference", (a + 1) - (b + 2) == a - b - 1)
+        given.ensure("of known and unknown", (1 - a) + (a - 1) == 0)
+
+    assert explore(program).proved
+
+
+def test_equality_of_truths_is_not_implication():
+    def program(given):
+        a = given.number("a")
+        given.ensure("the larger implies the smaller, not the other way", (a > 2) == (a > 1))
+
+    assert 1 < explore(program).counterexample.values["a"] <= 2
+
+
+def test_a_watch_is_shown_what_was_judged_and_only_while_it_watches():
+    def program(given):
+        given.ensure("something", given.number("a") >= 0)
+
+    shown = []
+    with engine.watched_by(shown.append):
+        outcome = explore(program)
+    explore(program)
+    (seen,) = shown
+    assert seen.outcome is outcome
+    assert len(seen.judged) == 1
+
+
+def test_the_work_of_an_exploration_is_its_own():
+    def program(given):
+        given.ensure("something", given.number("a") + given.number("b") >= 0)
+
+    explore(program)
+    before = engine.work_so_far()
+    outcome = explore(program)
+    assert 0 < outcome.resources <= engine.work_so_far() - before
+
+
+def test_counterexamples_are_on_the_coarsest_grid_and_small():
+    def halves(given):
+        a, b = given.number("a"), given.number("b")
+        given.assume((a > 3) & (a < 4))
+        given.ensure("never", b < a)
+
+    assert explore(halves).counterexample.values == {"a": Fraction(7, 2), "b": Fraction(7, 2)}
+
+    def quarters(given):
+        a = given.number("a")
+        given.ensure("nothing between", (a * 5 <= 11) | (a * 5 >= 12) | (a * 100 <= 222))
+
+    assert explore(quarters).counterexample.values["a"] == Fraction(9, 4)
+
+
+def test_a_counterexample_tells_the_truths_that_it_takes():
+    outcome = explore(lambda given: given.ensure("never there", not given.flag("there")))
+    assert outcome.counterexample.values == {"there": True}
+
+
+def test_a_large_model_is_made_small_by_halving():
+    number, solver = z3.Real("number"), z3.Solver()
+    solver.add(z3.Or(*(number == size for size in (1000, 700, 300, 3))))
+    solver.push()
+    solver.add(number == 1000)
+    assert solver.check() == z3.sat
+    large = solver.model()
+    solver.pop()
+    assert smallest(solver, [number], large).eval(number).as_fraction() == 3

@@ -112,7 +112,7 @@ def test_what_sums_make_of_the_longest_numbers_is_read_again(tmp_path):
 
 
 def test_results_are_as_their_schema_says():
-    rests_on = Ledger(["condition/x"], [], [], ["push/none"], 3, 9, True, 4, 2, {"contract/x": 7}, 1000, 0.05)
+    rests_on = Ledger(["condition/x"], [], [], ["push/none"], 3, 9, True, 4, 2, {"contract/x": 7}, 1000, 0.05, 3, False)
     values = {"margin": "1/4", "ahead": True}
     shown = Evidence("prove x", "z3", 3, 9, True, ["condition/x"], [], [], values, {"contract/x": 7}, [1000])
     claim = ClaimResult(

@@ -213,7 +213,7 @@ def test_jobs_run_in_other_processes_too(store):
     with ProcessPoolExecutor(1, get_context("forkserver")) as pool:
         showings = settling.run(settling.jobs_of(claim), pool, store, ignored)
     (showing,) = showings.values()
-    assert showing.used == ("distance left >= 0", "the border is inside the wall")
+    assert showing.used == ("distance left >= 0", "how far inside the wall >= 0")
     assert settling.run(dict.fromkeys(showings, never), Here(), store, ignored) == showings
 
 
@@ -287,7 +287,7 @@ def test_results_say_what_they_are_about_and_what_they_rest_on(checked):
     assert result.evidence == [proof.job]
     assert result.ledger.exhaustive
     assert result.ledger.paths == proof.cases
-    assert Fraction(proof.premises_hold["how far inside the wall"]) > 0
+    assert proof.premises_hold["how far inside the wall"] == "0"
     assert list(last_run(claim)) == ["proved, by z3"]
 
 

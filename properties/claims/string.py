@@ -6,7 +6,7 @@ from collections.abc import Callable
 from typing import Any
 
 from properties.claims.claim import Claim, Count, Erratum, Obligation, Verdict
-from properties.contracts import counts, errata, families, leaving, lemma, request, rows, strings, ticks
+from properties.contracts import counts, errata, families, judging, leaving, lemma, request, rows, strings, ticks
 from properties.contracts.contract import (
     LEAVING,
     REAR,
@@ -286,6 +286,13 @@ CLAIMS: tuple[Claim, ...] = (
         "Every rule fires in a scenario of the library.",
         "6.2.1; R5",
         counts.every_rule_fires,
+    ),
+    counted(
+        "invariants-judge",
+        "invariants",
+        "Of each deed of a bank of right and wrong ones, each invariant says what is to be said of it.",
+        "6.2.1; R5, R24",
+        judging.invariants_judge,
     ),
     refuted(
         "no-overlap-on-short-edges",

@@ -35,7 +35,7 @@ class Ahead:
     wall: Any | None
     neighbour: Any | None
     spare: Any
-    pushes: bool
+    pushes: bool = True
     edges: tuple[Any, ...] = ()
 
     @property

@@ -54,8 +54,15 @@ def queries_at_transitions(profile: Profile) -> int:
     return len(cases)
 
 
+def full_ring(bodies: int) -> World[Fraction]:
+    """A ring of edges with a body on each, all in contact."""
+    lengths = [ONE + MARGIN] * bodies
+    held = tuple(Body(str(i), EdgePosition(i, ONE * 0), EdgePosition(i, ONE), ONE, ONE) for i in range(bodies))
+    return World(Level(string_graph(lengths, bodies * lengths[0]), MARGIN, MARGIN, held))
+
+
 def long_strings(profile: Profile) -> int:
-    """A body goes over a thousand edges; a push goes through a thousand bodies."""
+    """A body goes over a thousand edges; a push goes through a thousand bodies, and round a ring to each once."""
     many = 1000
     held = [Body("A", EdgePosition(0, ONE / 4), EdgePosition(2, ONE / 4), ONE, ONE)]
     world = line([ONE] * (many + 8), MARGIN, held)
@@ -65,7 +72,9 @@ def long_strings(profile: Profile) -> int:
     pushed = row_in_contact(many, many)
     moved, record = move(profile, pushed, 0, Direction.RIGHT, ONE, MOST_RULES)
     assert (moved, record.depth) == (1, many), f"moved {moved} with a chain of {record.depth}"
-    return 2
+    moved, record = move(profile, full_ring(5), 0, Direction.RIGHT, ONE, MOST_RULES)
+    assert (moved, record.depth) == (0, 5), f"moved {moved} with a chain of {record.depth} on a ring of 5"
+    return 3
 
 
 def walls_are_reached(profile: Profile) -> int:

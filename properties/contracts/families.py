@@ -47,7 +47,7 @@ def contact_has_one(rules: Rules, given: Given) -> None:
 
 def fit_has_one(rules: Rules, given: Given) -> None:
     """Any width left to place."""
-    promise_one(given, rules.fit, Motion(None, rest=given.number("width left"), going=False))
+    promise_one(given, rules.fit, Motion(None, rest=given.number("width left")))
 
 
 def walk_has_one(rules: Rules, given: Given) -> None:

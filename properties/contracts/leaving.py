@@ -9,7 +9,7 @@ from properties.contracts.contract import LEAVING, Parting, promise
 from properties.contracts.request import seen_by
 from properties.given import HAS_WIDTH, Given
 from properties.worlds.window import ME, Spot, Window, lonely_window, spot
-from spec.number import Truth, lesser
+from spec.number import Truth, greater, lesser
 from spec.plane import negated
 from spec.rules.leave import Departure, Placement
 from spec.rules.request import Rules, depart
@@ -18,7 +18,7 @@ from spec.world import Jump
 
 
 def any_jump(given: Given, name: str) -> Jump[Any, Spot]:
-    """Any jump edge, up or down."""
+    """Any jump edge that leads ahead, up or down."""
     drop = given.number(f"{name}: down") - given.number(f"{name}: up")
     free = given.flag(f"{name}: its far end is free")
     return Jump(spot(given, name), given.number(f"{name}: across"), drop, free)
@@ -32,6 +32,7 @@ def any_departure(rules: Rules, given: Given) -> tuple[Window, Departure[Any, Sp
     given.assume((rear.reach >= 0) | (moved + rear.reach >= 0), "the rear border was on its edge before")
     front = replace(seen.along(rear, width), edge=rear.edge + 1)
     jumps = [any_jump(given, name) for name in ("first jump", "second jump") if given.flag(f"there is a {name}")]
+    seen = replace(seen, jump_edges=tuple(jumps))
     leaving = Departure(
         seen,
         walk=seen_by(given, rules).walk,
@@ -62,6 +63,8 @@ def leaving_keeps_its_contract(rules: Rules, given: Given) -> None:
         given.ensure(
             "the rear border is at the ledge", (placed.rear.reach == 0) & (placed.rear.edge == leaving.rear.edge)
         )
+        cut_back = placed.moved == leaving.moved + leaving.rear.reach
+        given.ensure("it has moved less by what was beyond the ledge", cut_back)
     if rule in ("leave/fall", "leave/jump"):
         given.ensure("falls and jumps end the request where it has walked", placed.moved == leaving.moved)
         given.ensure("leaves only with both borders beyond the edge", leaving.rear.reach < 0)
@@ -110,7 +113,7 @@ def landing_keeps_width(rules: Rules, given: Given) -> None:
 def fit_places_the_whole_width(rules: Rules, given: Given) -> None:
     """What is left of a width is placed on from where its walk has ended: in the wall, if anything is left."""
     seen = lonely_window(given, ledges=True)
-    motion = Motion(seen.start, rest=given.number("width left"), going=False)
+    motion = Motion(seen.start, rest=given.number("width left"))
     front = seen_by(given, rules).fit.choose(motion).effect((seen, motion))
     given.ensure("the whole width is placed", front.travelled == seen.start.travelled + motion.rest)
 
@@ -124,18 +127,23 @@ def lands_at_the_near_end(rules: Rules, given: Given) -> None:
 
 
 def lands_as_far_beyond(rules: Rules, given: Given) -> None:
-    """The rear border comes down as far beyond the near end as it was beyond the ledge, as far as there is ground."""
+    """The rear border keeps its horizontal position, as far beyond the near end as there is ground.
+
+    If it was not yet beyond it, as is possible of a jump, it comes down at the near end.
+    """
     rule, leaving, placed = leaves(rules, given)
     ends = [leaving.foot, *(jump.target for jump in leaving.near)]
     if rule in ("leave/fall", "leave/jump"):
         (end,) = [end for end in ends if landed_at(placed, end) and end is not None]
-        beyond = lesser(leaving.rear.reach * -1, end.reach)
+        across = leaving.rear.reach * -1 - sum(jump.across for jump in leaving.near if jump.target is end)
+        beyond = lesser(greater(across, across * 0), end.reach)
         given.ensure("the rear border keeps its position", placed.rear.travelled == end.travelled + beyond)
 
 
 def near_jumps_are_as_short(rules: Rules, given: Given) -> None:
     """A jump edge is near if the rear border is beyond the ledge and its horizontal extent is from 0 to the width."""
     width, jump = given.number("width"), any_jump(given, "jump")
+    jump = replace(jump, across=jump.across - given.number("jump: back"))
     foot = spot(given, "foot")
     seen = replace(lonely_window(given, ledges=True), body_width=width, jump_edges=(jump,), below=foot)
     moved, front = given.number("distance moved"), spot(given, "front after the move")

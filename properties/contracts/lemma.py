@@ -84,8 +84,7 @@ def any_call(given: Given, contract: Contract, ahead: Ahead) -> Call:
 def pair(given: Given, condition: str) -> Ahead:
     """Any two neighbours, in order; the premise is the one of a condition."""
     margin = given.number("margin")
-    given.assume(margin > 0, "the margin is positive")
-    return Ahead(margin, given.number("gap", condition), None, None, margin * 0, pushes=False)
+    return Ahead(margin, given.number("gap", condition), None, None, margin * 0)
 
 
 def neighbours_stay_in_order(rules: Rules, given: Given) -> None:

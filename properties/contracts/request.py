@@ -15,7 +15,7 @@ wrong ones, and its values from the second, so that it can be proved, replayed a
 from __future__ import annotations
 
 from collections.abc import Callable, Generator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Any, TypeVar
 
 from properties.contracts.contract import (
@@ -51,24 +51,33 @@ from spec.rules.walk import Motion, Tow, walk
 Grant = Callable[[Ask[Any, str]], Any]
 ONE_RULE = "rules/one-applies"
 P = TypeVar("P")
+MOST_CHOICES = 20
 MOST_ROUNDS = 3
 EXACT_SEGMENT = (SEGMENT, SEGMENT_EXACT)
 
 
 @dataclass(frozen=True)
 class Seen:
-    """A family that reports to a `Given` which rules it chose, and breaks a promise where it cannot choose."""
+    """A family that reports to a `Given` which rules it chose, and breaks a promise where it cannot choose.
+
+    A window has two edges: who chooses again and again goes on without getting on, and breaks a promise too.
+    """
 
     family: Chooser
     given: Given
+    chosen: list[str] = field(default_factory=list)
 
     def choose(self, facts: Any) -> AnyRule:
         """Return the rule that applies."""
+        if len(self.chosen) == MOST_CHOICES:
+            self.given.ensure("it ends", False)
+            raise Infeasible
         try:
             rule = self.family.choose(facts)
         except GuardError:
             self.given.ensure(ONE_RULE, False)
             raise Infeasible from None
+        self.chosen.append(rule.id)
         self.given.saw(rule.id)
         return rule
 
@@ -98,6 +107,9 @@ def drive(given: Given, running: Generator[Ask[Any, str], Any, Any], seen: Windo
             ask = running.send(answer)
         except StopIteration as end:
             return end.value
+        given.ensure("asks for a distance", ask.distance is not None)
+        if ask.distance is None:
+            raise Infeasible
         promise(given, REQUEST, Call(asked=ask.distance, moved=ask.distance), REQUEST.requires)
         given.ensure("only the neighbour is asked", ask.body == NEIGHBOUR)
         seen.asks.append(ask)
@@ -296,7 +308,7 @@ def request_exact(rules: Rules, given: Given) -> None:
 def any_order(given: Given) -> Ahead:
     """Anything ahead of a body: a body ahead of it, at any distance, or none."""
     gap = given.number("gap", IN_ORDER.id) if given.flag("a body is ahead") else None
-    return Ahead(given.number("margin"), gap, None, None, given.natural("bodies that may be asked"), pushes=True)
+    return Ahead(given.number("margin"), gap, None, None, given.natural("bodies that may be asked"))
 
 
 def any_ahead(given: Given) -> Ahead:
@@ -304,7 +316,7 @@ def any_ahead(given: Given) -> Ahead:
     margin, spare = given.number("margin"), given.natural("bodies that may be asked")
     wall = given.number("distance to the wall") if given.flag("there is a wall") else None
     if not given.flag("a body is ahead"):
-        return Ahead(margin, None, wall, None, spare, pushes=True)
+        return Ahead(margin, None, wall, None, spare)
     gap, able = given.number("gap"), given.number("capacity of the neighbour")
     ahead = Ahead(margin, gap, wall, able, spare, given.flag("the body may push"))
     assume_required(given, REQUEST_EXACT, Call(asked=gap, moved=gap, ahead=ahead))
@@ -367,7 +379,7 @@ def rear_walks_on(rules: Rules, given: Given) -> None:
     seen = window(given, ledges=True)
     before = any_motion(given, seen.start)
     wall = seen.start.reach if seen.next_length is None and not seen.ledge else None
-    ahead = Ahead(seen.margin, None, wall, None, before.rest * 0, pushes=False)
+    ahead = Ahead(seen.margin, None, wall, None, before.rest * 0)
     assume_required(given, REAR, Stretch(asked=before.rest, moved=before.rest, ahead=ahead))
     after = walk(seen_by(given, rules).walk, seen, before, Way(before.rest, blocked=False))
     stretch = stretch_of(seen, before, after, ahead)
@@ -397,10 +409,9 @@ def rear_follows_by_the_same(rules: Rules, given: Given) -> None:
 
 
 def segment_in_wall(rules: Rules, given: Given) -> None:
-    """A border that a landing has put inside a wall stays where it is, whatever is asked of it."""
+    """A border that a landing has put at a wall or inside it stays where it is, whatever is asked of it."""
     seen = lonely_window(given, ledges=False)
     inside = given.number("how far inside the wall")
-    given.assume(inside > 0, "the border is inside the wall")
     start = replace(seen.start, reach=inside * -1)
     seen = replace(seen, next_length=None, start=start)
     stretch, after = run_segment(rules, given, seen, SEGMENT)

@@ -28,6 +28,7 @@ from spec.number import Truth
 
 CHECK_BUDGET = 4_000_000
 MOST_PATHS = 4_000
+MOST_DRAWN = 100
 
 Program = Callable[[Given], None]
 
@@ -282,6 +283,8 @@ class Path:
 
     def flag(self, name: str) -> bool:
         """Either truth value, each on paths of its own."""
+        if len(self.exploration.drawn.flags) > MOST_DRAWN:
+            raise EngineError(f"more than {MOST_DRAWN} truth values are drawn: the program may not end")
         return bool(SymbolicTruth(self.exploration.drawn.flag(name)))
 
     def take(self, literal: z3.BoolRef) -> None:

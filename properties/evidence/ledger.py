@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from functools import cache
 
 from properties.claims.claim import Claim
+from properties.evidence.mutants.record import Record, by_construction, number_caught, read_record
 from properties.evidence.showing import Job, Look, Showing
 from properties.results import Evidence, Ledger
 from spec.conditions import CONDITIONS
@@ -44,6 +46,12 @@ def conditions(names: Iterable[str]) -> set[str]:
     return {condition.id for condition in CONDITIONS} & set(names)
 
 
+@cache
+def mutants_recorded() -> Record:
+    """What the mutants have shown, as it is written down."""
+    return read_record()
+
+
 def ledger(claim: Claim, showings: dict[Job, Showing]) -> Ledger:
     """The ledger of a claim, from what its evidence showed."""
     proofs = [showings[job] for job in proofs_of(claim)]
@@ -64,6 +72,8 @@ def ledger(claim: Claim, showings: dict[Job, Showing]) -> Ledger:
         monitors=evaluations(claim, showings) if claim.sampled else {},
         resources=sum(one.resources[0] for one in proofs if one.resources),
         spread=max((round(one.spread or 0, 3) for one in again), default=None),
+        mutants=number_caught(mutants_recorded(), claim.id),
+        by_construction=claim.id.removeprefix("claim/") in by_construction(mutants_recorded()),
     )
 
 

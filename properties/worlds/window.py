@@ -96,16 +96,17 @@ class Window:
         return self.body_width
 
     def foot(self, at: Spot) -> Spot | None:
-        """Where the fall edge leads."""
-        return self.below
+        """Where the fall edge at the ledge leads; a window shows the one where it starts."""
+        return self.below if at is self.start else None
 
     def jumps(self, body: str, at: Spot) -> Sequence[Jump[Any, Spot]]:
-        """The jump edges at the ledge."""
-        return self.jump_edges
+        """The jump edges at the ledge; a window shows those where it starts."""
+        return self.jump_edges if at is self.start else ()
 
     def across(self, start: Spot, end: Spot) -> Any:
-        """How far the rear border is beyond the ledge; the fall edge of a window is vertical."""
-        return self.reach(end) * -1
+        """How far the rear border is beyond the end of a jump edge, or the ledge: fall edges are vertical."""
+        beyond = self.reach(end) * -1
+        return beyond - sum(jump.across for jump in self.jump_edges if jump.target is start)
 
     def place(self, body: str, front: Spot, rear: Spot) -> None:
         """Note where the borders were put."""

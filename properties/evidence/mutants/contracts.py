@@ -1,0 +1,113 @@
+"""The mutants of the contracts, of the obligations, and of the window on which they speak.
+
+A wrong one fails on the true rules, or it assumes other premises than it did, or it says of a wrong rule something
+else than the true one does: of recorded values, other promises are broken. The last needs no solver. What lemmas
+promise rests on contracts alone, and no wrong rule breaks it; there wrong contracts take the place of wrong rules.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from functools import cache
+
+from properties.evidence.mutants.mutant import Mutant, mutants_of, told_apart
+from properties.evidence.mutants.operators import WEAKENING
+from properties.evidence.mutants.rules import of_rules
+from properties.evidence.mutants.trial import CRASHES, Kill, explored, kills_by_proofs, replayed, said_by, told
+from properties.evidence.showing import texts
+
+CONTRACTS = ("properties.contracts.contract",)
+OBLIGATIONS = (
+    "properties.contracts.request",
+    "properties.contracts.lemma",
+    "properties.contracts.leaving",
+    "properties.contracts.families",
+    "properties.worlds.window",
+)
+PREMISES = "other premises"
+
+Calls = Mapping[str, frozenset[str]]
+"""The functions that each obligation runs."""
+
+Caught = Mapping[str, Iterable[Kill]]
+"""The kills of the mutants of the rules and of the contracts, by name of the mutant."""
+
+
+def weakened(modules: Iterable[str]) -> dict[str, Mutant]:
+    """All mutants of some modules by the operators that drop, widen or negate."""
+    return told_apart([mutant for module in modules for mutant in mutants_of(module, operators=WEAKENING)])
+
+
+@cache
+def of_contracts() -> dict[str, Mutant]:
+    """All mutants of the contracts, by name."""
+    return weakened(CONTRACTS)
+
+
+@cache
+def of_obligations() -> dict[str, Mutant]:
+    """All mutants of the obligations and of the window, by name."""
+    return weakened(OBLIGATIONS)
+
+
+def wrong_one(name: str) -> Mutant:
+    """A mutant that obligations catch: of the rules, or of the contracts."""
+    return of_rules()[name] if name in of_rules() else of_contracts()[name]
+
+
+def kills_of_contract(
+    mutant: Mutant, caught: Caught, calls: Calls, premises: Mapping[str, tuple[str, ...]]
+) -> tuple[Kill, ...]:
+    """What catches a mutant of a contract: the first thing that does, and all lemmas, which rest on contracts alone."""
+    with mutant.in_place():
+        proofs = kills_by_proofs(mutant, {name: calls[name] for name in calls if rests_on_contracts(calls[name])})
+        lemmas = {kill.by: kill for kill in proofs}
+    first = kill_of_obligation(mutant, caught, calls, premises)
+    return tuple(lemmas.values()) if first is None or first == lemmas.get(first.by) else (first, *lemmas.values())
+
+
+def rests_on_contracts(functions: Iterable[str]) -> bool:
+    """Whether an obligation runs no rule: contracts stand in for all of them."""
+    return not any(function.startswith("rules.") for function in functions)
+
+
+def kill_of_obligation(
+    mutant: Mutant, caught: Caught, calls: Calls, premises: Mapping[str, tuple[str, ...]]
+) -> Kill | None:
+    """What catches a mutant of an obligation: the first of its kind in a fixed order."""
+    mine = [name for name, functions in calls.items() if functions & mutant.reached]
+    return disagreement(mutant, caught, frozenset(mine)) or failure(mutant, mine, premises)
+
+
+def disagreement(mutant: Mutant, caught: Caught, mine: frozenset[str]) -> Kill | None:
+    """A recorded kill of a wrong rule or a wrong contract of which the mutant says another thing."""
+    for name, kills in caught.items():
+        for kill in kills:
+            if kill.by in mine and not kill.on and (now := said_otherwise(mutant, wrong_one(name), kill)) is not None:
+                return Kill(kill.by, now, kill.values, name)
+    return None
+
+
+def said_otherwise(mutant: Mutant, wrong: Mutant, kill: Kill) -> tuple[str, ...] | None:
+    """What a mutant of an obligation says is broken at the values of a kill, if that is not what was said."""
+    if kill.broken == (PREMISES,) or mutant.target is wrong.target:
+        return None
+    with wrong.in_place(), mutant.in_place():
+        now = replayed(kill.by, kill.values)
+    return now if now is not None and now != kill.broken else None
+
+
+def failure(mutant: Mutant, mine: Iterable[str], premises: Mapping[str, tuple[str, ...]]) -> Kill | None:
+    """An obligation that fails on the true rules with the mutant in place, or assumes what it did not."""
+    with mutant.in_place():
+        for name in mine:
+            try:
+                exploration = explored(name)
+            except CRASHES:
+                continue
+            found = exploration.outcome.counterexample
+            if found is not None:
+                return Kill(name, told(found.broken), texts(found.values))
+            if said_by(exploration) != premises[name]:
+                return Kill(name, (PREMISES,), {})
+    return None

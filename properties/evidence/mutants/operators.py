@@ -1,0 +1,227 @@
+"""The operators: how a function's source is changed, in one place at a time.
+
+An operator takes a node of the syntax tree and gives what may stand in its place. The operators are the same for the
+rules, the invariants and the engine; contracts are changed by those that drop, widen or negate.
+"""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Callable, Iterator, Sequence
+from copy import deepcopy
+from dataclasses import dataclass
+
+Operator = Callable[[ast.AST], Iterator[ast.AST]]
+
+OTHER_BOUND: dict[type[ast.cmpop], tuple[type[ast.cmpop], ...]] = {
+    ast.Lt: (ast.LtE,),
+    ast.LtE: (ast.Lt,),
+    ast.Gt: (ast.GtE,),
+    ast.GtE: (ast.Gt,),
+    ast.Eq: (ast.LtE, ast.GtE),
+}
+EXCHANGED = {"front": "rear", "rear": "front", "drop": "across", "across": "drop"}
+SAME_KIND = {"other": "body", "rear": "front", "front": "rear"}
+ALIKE = "__import__('properties.evidence.mutants.mutant', fromlist=['alike']).alike"
+OF_FORM = ("strict", "model_completion", "som", "arith_lhs", "sort_sums")
+"""Options of `zip` and of the solver: what is noticed, in which form the same is said, which questions are saved."""
+LENGTHS = ("moved", "stride", "rest", "distance")
+TWICE = ("yield Ask", "yield from rules", "rules.follow", "rules.leave", "view.place")
+BOTH_SIDED = ("view", "leaving", "placement", "jump", "other", "best", "placed")
+
+
+def other_bound(node: ast.AST) -> Iterator[ast.AST]:
+    """`<` for `<=`, and the other way round; `<=` and `>=` for `==`."""
+    if isinstance(node, ast.Compare):
+        for place, own in enumerate(node.ops):
+            for other in OTHER_BOUND.get(type(own), ()):
+                yield ast.Compare(node.left, [*node.ops[:place], other(), *node.ops[place + 1 :]], node.comparators)
+
+
+def fewer_terms(node: ast.AST) -> Iterator[ast.AST]:
+    """A sum or a difference without its second term."""
+    if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add | ast.Sub) and not of_sets(node):
+        yield ast.BinOp(node.left, node.op, times_zero(node.right))
+
+
+def fewer_exact_terms(node: ast.AST) -> Iterator[ast.AST]:
+    """A sum or a difference without its second term, unless that is the tolerance, which is 0 on exact numbers."""
+    if isinstance(node, ast.BinOp) and not ast.unparse(node.right).endswith("tolerance"):
+        yield from fewer_terms(node)
+
+
+def other_term(node: ast.AST) -> Iterator[ast.AST]:
+    """A sum or a difference with the other sign, and with its second term twice."""
+    if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add | ast.Sub) and not of_sets(node):
+        flipped = ast.Sub() if isinstance(node.op, ast.Add) else ast.Add()
+        yield ast.BinOp(node.left, flipped, node.right)
+        yield ast.BinOp(node, node.op, node.right)
+
+
+def of_sets(node: ast.expr) -> bool:
+    """Whether a sum or a difference is one of sets."""
+    if isinstance(node, ast.BinOp):
+        return of_sets(node.left) or of_sets(node.right)
+    return isinstance(node, ast.Set | ast.SetComp)
+
+
+def fewer_conjuncts(node: ast.AST) -> Iterator[ast.AST]:
+    """A conjunction or a disjunction without one of its parts."""
+    if isinstance(node, ast.BoolOp):
+        for place in range(len(node.values)):
+            rest = [*node.values[:place], *node.values[place + 1 :]]
+            yield rest[0] if len(rest) == 1 else ast.BoolOp(node.op, rest)
+    if isinstance(node, ast.BinOp) and isinstance(node.op, ast.BitAnd | ast.BitOr):
+        yield node.left
+        yield node.right
+
+
+def opposite(node: ast.AST) -> Iterator[ast.AST]:
+    """A truth for its opposite: a constant, a negation, or whether a value is another."""
+    if isinstance(node, ast.Constant) and isinstance(node.value, bool):
+        yield ast.Constant(not node.value)
+    if isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.Not):
+        yield node.operand
+    if isinstance(node, ast.Call) and ast.unparse(node.func) == "negated":
+        yield node.args[0]
+    if isinstance(node, ast.Compare) and isinstance(node.ops[0], ast.Is | ast.IsNot):
+        turned = ast.IsNot() if isinstance(node.ops[0], ast.Is) else ast.Is()
+        yield ast.Compare(node.left, [turned], node.comparators)
+
+
+def one_of_two(node: ast.AST) -> Iterator[ast.AST]:
+    """One of the two of which the lesser or the greater is taken."""
+    if isinstance(node, ast.Call) and ast.unparse(node.func) in ("lesser", "greater", "min", "max"):
+        yield from (argument for argument in node.args if not isinstance(argument, ast.Starred))
+
+
+def no_effect(node: ast.AST) -> Iterator[ast.AST]:
+    """A way of no length, no way to the end, and a statement that does nothing."""
+    if isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute) and node.func.attr == "along":
+        yield ast.Call(node.func, [node.args[0], times_zero(node.args[1])], [])
+    if isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute) and node.func.attr == "end":
+        yield node.args[0]
+    if isinstance(node, ast.Call) and ast.unparse(node.func) == "walk_freely":
+        yield ast.Call(node.func, [*node.args[:-1], times_zero(node.args[-1])], [])
+    if isinstance(node, ast.Expr) and isinstance(node.value, ast.Call):
+        yield ast.Pass()
+    if isinstance(node, ast.Return) and isinstance(node.value, ast.Attribute) and node.value.attr in LENGTHS:
+        yield ast.Return(times_zero(node.value))
+
+
+def another_time(node: ast.AST) -> Iterator[ast.AST]:
+    """A request that is made twice, a rule that is followed twice, a loop that is gone through once at most."""
+    value = node.value if isinstance(node, ast.Assign | ast.AnnAssign | ast.Expr) else None
+    if value is not None and ast.unparse(value).lstrip("(").startswith(TWICE):
+        assert isinstance(node, ast.stmt)
+        yield ast.If(ast.Constant(True), [node, node], [])
+    if isinstance(node, ast.While):
+        yield ast.If(node.test, node.body, [])
+
+
+def other_side(node: ast.AST) -> Iterator[ast.AST]:
+    """One border for the other; how far a jump leads down for how far it leads across."""
+    if isinstance(node, ast.Attribute) and node.attr in EXCHANGED and ast.unparse(node.value) in BOTH_SIDED:
+        yield ast.Attribute(node.value, EXCHANGED[node.attr], node.ctx)
+
+
+def other_argument(node: ast.AST) -> Iterator[ast.AST]:
+    """A call with another value of the same kind for one of its arguments, or with a count that is one less."""
+    if isinstance(node, ast.Call):
+        for place, own in enumerate(node.args):
+            if isinstance(own, ast.Name) and own.id in SAME_KIND:
+                yield with_argument(node, place, ast.Name(SAME_KIND[own.id], ast.Load()))
+            if isinstance(own, ast.Name) and own.id == "spare":
+                yield with_argument(node, place, ast.BinOp(own, ast.Sub(), ast.Constant(1)))
+
+
+def with_argument(call: ast.Call, place: int, other: ast.expr) -> ast.Call:
+    """A call with another argument at a place."""
+    return ast.Call(call.func, [*call.args[:place], other, *call.args[place + 1 :]], call.keywords)
+
+
+WEAKENING: tuple[Operator, ...] = (other_bound, fewer_exact_terms, fewer_conjuncts, opposite, no_effect)
+OPERATORS: tuple[Operator, ...] = (
+    other_bound,
+    fewer_terms,
+    other_term,
+    fewer_conjuncts,
+    opposite,
+    one_of_two,
+    no_effect,
+    another_time,
+    other_side,
+    other_argument,
+)
+
+
+def times_zero(term: ast.expr) -> ast.expr:
+    """A term that is 0, of the same kind of number."""
+    return ast.BinOp(term, ast.Mult(), ast.Constant(0))
+
+
+def unread(function: ast.FunctionDef) -> set[int]:
+    """The identities of nodes that decide nothing: annotations of variables, and options that decide no answer."""
+    types = [one.annotation for one in ast.walk(function) if isinstance(one, ast.AnnAssign)]
+    options = [one.value for one in ast.walk(function) if isinstance(one, ast.keyword) and one.arg in OF_FORM]
+    return {id(node) for root in (*types, *options) for node in ast.walk(root)}
+
+
+@dataclass(frozen=True)
+class Variant:
+    """A function with one change. `probe` is the function as it is, with both the old and the new expression told to
+    `alike`, if it is an expression that is changed and has no effect of its own.
+    """
+
+    change: str
+    function: ast.FunctionDef
+    probe: ast.FunctionDef | None
+
+
+def variants(function: ast.FunctionDef, operators: Sequence[Operator]) -> Iterator[Variant]:
+    """A function with one change, for each place and each operator that fits it."""
+    nodes, known, passive = list(ast.walk(ast.Module(function.body, []))), names_in(function), unread(function)
+    for place, node in enumerate(nodes):
+        if id(node) in passive:
+            continue
+        for other in (other for operator in operators for other in operator(node)):
+            if names_in(other) <= known:
+                yield Variant(told(node, other), replaced(function, place, other), probe(function, place, node, other))
+
+
+def probe(function: ast.FunctionDef, place: int, node: ast.AST, other: ast.AST) -> ast.FunctionDef | None:
+    """The function with an expression and what may stand in its place told to `alike`."""
+    effects = (ast.Yield, ast.YieldFrom, ast.NamedExpr, ast.Starred)
+    if not isinstance(node, ast.expr) or any(isinstance(one, effects) for one in ast.walk(node)):
+        return None
+    both = f"{ALIKE}(lambda: {ast.unparse(node)}, lambda: {ast.unparse(other)})"
+    return replaced(function, place, ast.parse(both, mode="eval").body)
+
+
+def names_in(tree: ast.AST) -> set[str]:
+    """The names that occur in a tree, those of arguments included."""
+    nodes = list(ast.walk(tree))
+    return {one.id for one in nodes if isinstance(one, ast.Name)} | {n.arg for n in nodes if isinstance(n, ast.arg)}
+
+
+def told(node: ast.AST, other: ast.AST) -> str:
+    """What a change is."""
+    if isinstance(other, ast.Pass):
+        return f"drop {ast.unparse(node)}"
+    if isinstance(other, ast.If):
+        return f"{'only once' if isinstance(node, ast.While) else 'twice'} {ast.unparse(node).splitlines()[0]}"
+    return f"{ast.unparse(other)} instead of {ast.unparse(node)}"
+
+
+def replaced(function: ast.FunctionDef, place: int, other: ast.AST) -> ast.FunctionDef:
+    """A copy of a function with another node at a place of its body, counted as `ast.walk` does."""
+    copied = deepcopy(function)
+    target = list(ast.walk(ast.Module(copied.body, [])))[place]
+
+    class Replace(ast.NodeTransformer):
+        def visit(self, node: ast.AST) -> ast.AST:
+            return deepcopy(other) if node is target else self.generic_visit(node)
+
+    changed = Replace().generic_visit(copied)
+    assert isinstance(changed, ast.FunctionDef)
+    return ast.fix_missing_locations(changed)

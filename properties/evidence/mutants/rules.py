@@ -1,0 +1,85 @@
+"""The mutants of the rules: their guards, their effects, their functions, and the readings of the profiles."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from functools import cache
+from typing import Any
+
+from properties.evidence.mutants.mutant import Mutant, called, mutants_of, told_apart
+from spec.profiles import OVERSHOOT, THESIS
+from spec.readings import LANDING, LANDING_OVERSHOOT, PUSH_LIMIT, TICK_ORDER, as_listed, number_of_bodies
+from spec.rule import AnyRule, Family
+from spec.rules.request import FAMILIES
+
+CHAPTERS = ("clearance", "push", "walk", "leave", "request")
+
+
+def reached_by(rule: AnyRule) -> frozenset[str]:
+    """The functions of which one runs where a family with this rule chooses."""
+    return frozenset(called(function.__code__) for function in (*rule.guard, rule.effect))
+
+
+def negated(conjunct: Callable[[Any], Any]) -> Callable[[Any], bool]:
+    """The opposite of a conjunct."""
+    return lambda facts: not conjunct(facts)
+
+
+def guard_mutants(rule: AnyRule) -> Iterator[Mutant]:
+    """A rule without, and with the opposite of, each conjunct of its guard."""
+    for place, conjunct in enumerate(rule.guard):
+        before, after, name = rule.guard[:place], rule.guard[place + 1 :], conjunct.__name__
+        yield Mutant(rule.id, f"drop {name}", rule, "guard", (*before, *after), reached_by(rule))
+        turned = (*before, negated(conjunct), *after)
+        yield Mutant(rule.id, f"negate {name}", rule, "guard", turned, reached_by(rule))
+
+
+def effect_mutants(family: Family[Any, Any]) -> Iterator[Mutant]:
+    """Each rule of a family with each other effect of the family."""
+    effects = list(dict.fromkeys(rule.effect for rule in family.rules))
+    for rule in family.rules:
+        for other in effects:
+            if other is not rule.effect:
+                change = f"{other.__name__} instead of {rule.effect.__name__}"
+                yield Mutant(rule.id, change, rule, "effect", other, reached_by(rule))
+
+
+def one_less(bodies: int) -> int:
+    """A push limit of one body less than there are."""
+    return bodies - 1
+
+
+def one_more(bodies: int) -> int:
+    """A push limit of one body more than there are (A8)."""
+    return bodies + 1
+
+
+def last_first(names: Sequence[str]) -> Sequence[str]:
+    """The level's order of bodies, reversed."""
+    return names[::-1]
+
+
+def reading_mutants() -> Iterator[Mutant]:
+    """Each profile with another reading of each question that it decides."""
+    for profile, own, other in ((THESIS, LANDING, LANDING_OVERSHOOT), (OVERSHOOT, LANDING_OVERSHOOT, LANDING)):
+        change = f"{other.choice.__name__} instead of {own.choice.__name__}"
+        reached = frozenset({called(own.choice.__code__)})
+        yield Mutant(f"{own.id} ({profile.name})", change, profile.rules, "landing", other.choice, reached)
+    limit, order = frozenset({called(number_of_bodies.__code__)}), frozenset({called(as_listed.__code__)})
+    for push_limit in (one_less, one_more):
+        yield Mutant(PUSH_LIMIT.id, push_limit.__name__, THESIS, "push_limit", push_limit, limit)
+    yield Mutant(TICK_ORDER.id, last_first.__name__, THESIS, "tick_order", last_first, order)
+
+
+@cache
+def of_rules() -> dict[str, Mutant]:
+    """All mutants of the rules and of the readings, by name."""
+    found = list(reading_mutants())
+    for name in FAMILIES:
+        family = getattr(THESIS.rules, name)
+        for rule in family.rules:
+            found.extend(guard_mutants(rule))
+        found.extend(effect_mutants(family))
+    for chapter in CHAPTERS:
+        found.extend(mutants_of(f"spec.rules.{chapter}", "Rules.through"))
+    return told_apart(found)

@@ -1,0 +1,182 @@
+"""Mutants: a wrong rule, contract, invariant or engine is caught by name, and what catches it is not lost unnoticed."""
+
+import subprocess
+import sys
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from properties.contracts.judging import bank, broken
+from properties.evidence.mutants.contracts import (
+    PREMISES,
+    failure,
+    of_contracts,
+    of_obligations,
+    said_otherwise,
+)
+from properties.evidence.mutants.engine import of_engine
+from properties.evidence.mutants.invariants import of_invariants
+from properties.evidence.mutants.mutant import Mutant
+from properties.evidence.mutants.record import Record, read_record, write_record
+from properties.evidence.mutants.rules import CHAPTERS, of_rules
+from properties.evidence.mutants.run import BANK, complaints, lost
+from properties.evidence.mutants.trial import (
+    Kill,
+    attempt,
+    crash_of,
+    functions_called,
+    interface,
+    miscounted,
+    no_change,
+    programs,
+    replayed,
+)
+from spec.plane import IN_PLANE
+from spec.profiles import THESIS
+from spec.registry import rules_of
+
+MARGIN = "request/segment-keeps-margin"
+TOO_NEAR = "clearance.up_to_margin: sight.gap - sight.margin * 0 instead of sight.gap - sight.margin"
+KEPT = "contract/segment-exact: keeps the margin"
+
+
+def mutant_of(mutants: dict[str, Mutant], *parts: str) -> Mutant:
+    """The first mutant whose name has some parts."""
+    return next(one for name, one in mutants.items() if all(part in name for part in parts))
+
+
+def margin_kill() -> Kill:
+    """What catches a clearance that leaves out the margin."""
+    with of_rules()[TOO_NEAR].in_place():
+        found = attempt(MARGIN)
+    assert found is not None
+    return found
+
+
+def test_there_are_mutants_of_every_guard_and_effect_and_of_every_chapter():
+    names = list(of_rules())
+    for rule in rules_of(THESIS):
+        for conjunct in rule.guard:
+            assert {f"{rule.id}: {way} {conjunct.__name__}" for way in ("drop", "negate")} <= set(names)
+    assert {name.partition(".")[0] for name in names if "/" not in name.partition(":")[0]} == set(CHAPTERS)
+    assert {name.partition(":")[0] for name in names if name.startswith("reading/")} >= {"reading/push-limit"}
+
+
+@pytest.mark.parametrize("mutants", [of_rules, of_contracts, of_obligations, of_invariants, of_engine])
+def test_a_mutant_is_put_in_place_and_taken_back(mutants):
+    for one in list(mutants().values())[::20]:
+        own = getattr(one.target, one.attribute)
+        with one.in_place():
+            assert getattr(one.target, one.attribute) is one.value
+        assert getattr(one.target, one.attribute) is own
+
+
+def test_a_wrong_rule_is_caught_by_the_obligation_that_it_breaks_at_values_that_replay():
+    kill = margin_kill()
+    assert kill.broken == (KEPT,)
+    assert replayed(MARGIN, kill.values) == ()
+    with of_rules()[TOO_NEAR].in_place():
+        assert replayed(MARGIN, kill.values) == (KEPT,)
+
+
+def test_a_contract_that_promises_less_is_caught_by_the_promise_that_is_gone():
+    weaker = mutant_of(of_obligations(), "segment_keeps_margin: drop promise")
+    assert said_otherwise(weaker, of_rules()[TOO_NEAR], margin_kill()) == ()
+    with weaker.in_place():
+        said = complaints({}, "rules", TOO_NEAR, [margin_kill_of_the_true_contract()])
+    assert said == [f"{MARGIN}: {KEPT}: no longer catches {TOO_NEAR}"]
+
+
+def margin_kill_of_the_true_contract() -> Kill:
+    """Values at which the margin is not kept: as many as are not 0."""
+    values = {"margin": "1", "front: distance to the end of the edge": "2", "gap": "2", "distance left": "2"}
+    return Kill(
+        MARGIN, (KEPT,), values | {"a body is ahead": True, "an edge follows": True, "length of the next edge": "1"}
+    )
+
+
+def test_a_contract_that_assumes_more_is_caught_though_it_still_holds():
+    narrower = mutant_of(of_obligations(), "segment_keeps_margin: False instead of True")
+    found = failure(narrower, [MARGIN], {MARGIN: interface(MARGIN)})
+    assert found == Kill(MARGIN, (PREMISES,))
+
+
+def test_an_invariant_that_lets_something_pass_is_caught_by_a_deed():
+    careless = mutant_of(of_invariants(), "no_overlap: after.margin - deed.tolerance * 0")
+    with careless.in_place():
+        (wrong,) = miscounted(BANK)
+    assert "no-overlap" in wrong
+    assert miscounted(BANK) == ()
+
+
+def test_every_invariant_is_broken_by_some_deed_of_the_bank_and_kept_by_another():
+    blamed = {name for one in bank() for name in broken(one)}
+    judged = {judge.id.removeprefix("invariant/") for one in bank() for judge in one.judges}
+    assert blamed == judged
+    assert {one.id.removeprefix("invariant/") for one in IN_PLANE} <= judged
+
+
+WRONG_ENGINE = """
+from properties.evidence.mutants.engine import failed_tests, of_engine
+told = "explore.Path.judge: drop self.exploration.refute"
+mutant = next(one for name, one in of_engine().items() if name.startswith(told))
+assert failed_tests("test_a_false_promise_is_refuted_by_simple_exact_values") == ()
+with mutant.in_place():
+    print(*failed_tests("test_a_promise_made_before_a_premise_is_judged_without_it"))
+"""
+
+
+def test_a_wrong_engine_is_caught_by_one_of_its_tests():
+    done = subprocess.run([sys.executable, "-c", WRONG_ENGINE], capture_output=True, text=True, check=True)
+    assert done.stdout.split() == ["test_a_promise_made_before_a_premise_is_judged_without_it"]
+
+
+def calls_of(name: str) -> dict[str, frozenset[str]]:
+    """The functions that an obligation runs."""
+    return {name: functions_called(name)}
+
+
+def test_a_change_that_changes_nothing_is_proved_to():
+    same = mutant_of(
+        of_rules(), "request.segment: asked is not None instead of other is not None and asked is not None"
+    )
+    other = mutant_of(of_rules(), "push.enough_room: want.stride < want.room")
+    calls = calls_of("request/segment-keeps-its-contract")
+    assert no_change(same, calls) is not None
+    assert no_change(other, calls) is None
+
+
+def test_a_change_that_only_crashes_is_no_kill_and_is_told():
+    crash = mutant_of(of_invariants(), "chain: ahead == deed.body instead of")
+    with crash.in_place():
+        assert miscounted(BANK) == ()
+    assert crash_of(crash, {}) is None
+
+
+def test_a_record_is_read_as_it_was_written(tmp_path):
+    record = Record(
+        {"claim/a": ("b",)}, {"b": ("c >= 0",)}, {"rules": {"d": (Kill("b", ("e",), {"c": "1/2"}, "f"),)}}, {"g": "h"}
+    )
+    write_record(record, tmp_path / "record.json")
+    assert read_record(tmp_path / "record.json") == record
+    assert read_record(tmp_path / "none.json") == Record({}, {})
+
+
+def test_the_record_is_about_what_there_is(monkeypatch):
+    record = read_record()
+    name = next(iter(record.kills["rules"]))
+    short = replace(
+        record, kills={**record.kills, "rules": {k: v for k, v in record.kills["rules"].items() if k != name}}
+    )
+    few = next(iter(programs()))
+    monkeypatch.setattr("properties.evidence.mutants.run.tried_again", lambda record: iter(()))
+    assert list(lost(short)) == [f"{name}: a mutant that is not recorded"]
+    (wrong,) = lost(replace(record, premises={**record.premises, few: ()}))
+    assert wrong.startswith(f"{few}: assumes ")
+
+
+def test_there_is_a_page_of_the_record():
+    from properties.evidence.mutants.matrix import PAGE, page_of
+
+    assert Path(PAGE).read_text() == page_of(read_record())
