@@ -60,16 +60,18 @@ EXACT_SEGMENT = (SEGMENT, SEGMENT_EXACT)
 class Seen:
     """A family that reports to a `Given` which rules it chose, and breaks a promise where it cannot choose.
 
-    A window has two edges: who chooses again and again goes on without getting on, and breaks a promise too.
+    A window has two edges: who chooses again and again goes on without getting on, and breaks a promise too; `most` is
+    how often is too often.
     """
 
     family: Chooser
     given: Given
+    most: int = MOST_CHOICES
     chosen: list[str] = field(default_factory=list)
 
     def choose(self, facts: Any) -> AnyRule:
         """Return the rule that applies."""
-        if len(self.chosen) == MOST_CHOICES:
+        if len(self.chosen) == self.most:
             self.given.ensure("it ends", False)
             raise Infeasible
         try:

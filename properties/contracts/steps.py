@@ -20,10 +20,12 @@ from spec.rules.row import Meeting, Member, Relay, Turn, cut_back
 from spec.rules.step import StepRules
 from spec.stepped import OF_ONE_STEP, STEP_MIRROR, STEP_SPLIT
 
+MOST_IN_A_STEP = 10_000
+
 
 def seen_by(given: Given, profile: SteppedProfile) -> StepRules:
     """The rules of a profile, seen."""
-    return profile.rules.through(lambda family: Seen(family, given))
+    return profile.rules.through(lambda family: Seen(family, given, MOST_IN_A_STEP))
 
 
 def steps_keep_the_invariants(profile: SteppedProfile, given: Given, setting: Setting) -> None:
