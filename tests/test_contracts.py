@@ -26,7 +26,7 @@ from properties.engine.explore import Exploration, explore
 from properties.evidence import sample, settle as settling
 from properties.evidence.deeds import do
 from properties.evidence.monitor import ON_ANY_LEVEL, ON_ONE_STRING, Monitor, Verdicts
-from properties.evidence.sample import Campaign, campaign, failing, monitored
+from properties.evidence.sample import ROWS as RANDOM_ROWS, Campaign, campaign, failing, monitored
 from properties.strategies.rows import Trial
 from properties.worlds.rows import located, string_graph
 from reference.simulator import Game, move
@@ -216,22 +216,22 @@ def test_the_capacity_on_a_world_is_that_of_the_closed_form():
 
 
 def test_a_trial_names_the_contract_that_a_wrong_rule_breaks_and_counts_what_was_evaluated():
-    world, seen = ROWS[0], Campaign()
+    world, seen = ROWS[0], Campaign(RANDOM_ROWS)
     trial = Trial(world.level, 0, RIGHT, Fraction(5), (RIGHT,))
-    assert list(failing(THESIS, trial, world, Fraction(0), seen)) == []
+    assert list(failing(THESIS, trial, False, seen)) == []
     assert set(seen.evaluations) == set(CONTRACTS)
     _, profile = WRONG["goes nearer than the margin"]
-    failed = list(failing(profile, trial, world, Fraction(0), seen))
+    failed = list(failing(profile, trial, False, seen))
     assert "contract/segment-exact: keeps the margin" in failed
     assert {"invariant/no-overlap", "invariant/margins-over-time"} <= set(failed)
     _, profile = WRONG["leaves its rear behind"]
-    assert "invariant/order-over-time" in failing(profile, trial, world, Fraction(0), seen)
+    assert "invariant/order-over-time" in failing(profile, trial, False, seen)
 
 
 def test_on_a_row_a_requirement_that_is_not_met_is_a_failure():
     near = row([8], [0, Fraction(9, 8)])
     trial = Trial(near.level, 0, RIGHT, Fraction(1))
-    unmet = monitored(THESIS, trial, near, Fraction(0), Campaign())
+    unmet = monitored(THESIS, trial, near, Fraction(0), Campaign(RANDOM_ROWS))
     assert "contract/request-exact: neighbours are the margin apart" in unmet
 
 
@@ -247,8 +247,8 @@ def test_on_a_full_circle_nobody_moves_and_the_chain_ends_at_the_push_limit(limi
 
 
 def test_a_campaign_that_never_evaluates_a_contract_counts_for_nothing(monkeypatch):
-    assert set(CONTRACTS) <= set(Campaign().tame)
-    result = Campaign(cases=9, evaluations=Counter(dict.fromkeys(CONTRACTS, 9)))
+    assert set(CONTRACTS) <= set(Campaign(RANDOM_ROWS).tame)
+    result = Campaign(RANDOM_ROWS, cases=9, evaluations=Counter(dict.fromkeys(CONTRACTS, 9)))
     assert not set(CONTRACTS) & set(result.tame)
     monkeypatch.setattr(sample, "ON_ONE_STRING", ON_ANY_LEVEL)
     assert REQUEST_EXACT.id not in campaign(THESIS, floats=False, examples=20).evaluations

@@ -2,6 +2,7 @@
 
 import json
 import re
+from copy import deepcopy
 from itertools import islice
 
 import pytest
@@ -118,7 +119,7 @@ def spoiled(draw, document):
         elif how == "double" and isinstance(target, list):
             target.insert(last, target[last])
         else:
-            target[last] = draw(HOSTILE)
+            target[last] = deepcopy(draw(HOSTILE))
     return document
 
 
@@ -333,7 +334,7 @@ def test_a_bad_level_is_refused_wherever_it_is(tmp_path, command, content, expec
 @pytest.mark.parametrize(
     ("changes", "expected"),
     [
-        ({"steps": [{}]}, r"\$\.steps\[0\]: expected either `request` or `tick`"),
+        ({"steps": [{}]}, r"\$\.steps\[0\]: expected one of `request`, `tick`, `drive`, `add` and `remove`"),
         (
             {"steps": [{"request": {"body": "D", "distance": 1}}]},
             r"\$\.steps\[0\]\.request\.body: no body is named 'D'",
@@ -367,7 +368,7 @@ def test_a_bad_scenario_is_refused(tmp_path, changes, expected):
         (["bodies", 0, "left", "edge"], 9, r"\$\.bodies\[0\]\.left\.edge: expected 0 to 2, got 9"),
         (["bodies", 0, "left", "location"], "1/0", r"\$\.bodies\[0\]\.left\.location: expected a finite number"),
         (["bodies", 0, "left", "location"], "1/" + "7" * 300, r"\$\.bodies\[0\]: expected .* 100 digits"),
-        (["tick"], None, r"\$: expected either `request` or `tick`"),
+        (["tick"], None, r"\$: expected one of `request`, `tick`, `drive`, `add` and `remove`"),
         (["moves", 0, "moved"], "far", r"\$\.moves\[0\]\.moved: expected a number"),
         (["events"], [{"body": "D", "event": "fall", "rule": "x"}], r"\$\.events\[0\]\.body: no body is named 'D'"),
         ([], "cut", r"not JSON: Input data was truncated"),
