@@ -9,14 +9,14 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from typing import Any, Generic
+from typing import Any, Generic, cast
 
-from reference.storeys import Place, StoreyWorld, Terrain, once_round
+from reference.storeys import Place, StoreyWorld, Terrain
 from reference.world import LevelError, Row, World
 from spec.body import Body, EdgePosition, Level
 from spec.graph import Direction, Edge, EdgeType
 from spec.number import N, greater, lesser, zero_like
-from spec.storeys import Interval
+from spec.storeys import Interval, once_round
 
 
 @dataclass(frozen=True)
@@ -352,10 +352,15 @@ def check_outside(world: StoreyWorld[N], body: int) -> None:
 
 
 def check_apart(level: Level[N], world: StoreyWorld[N], left: int, right: int, at: int) -> None:
-    """Refuse neighbours nearer to each other than the margin; the place is that of one of them."""
-    if world.gap(left, right) < level.margin:
+    """Refuse neighbours nearer to each other than the margin, by more than roundings in floats; the place is of one."""
+    if world.gap(left, right) < level.margin - roundings(level.margin):
         names = f"{level.bodies[left].name!r} and {level.bodies[right].name!r}"
         raise LevelError(f"$.bodies[{at}]", f"{names} are {world.gap(left, right)} apart, less than the margin")
+
+
+def roundings(margin: N) -> N:
+    """What the gap between two bodies may be short of the margin in floats; 0 on exact numbers."""
+    return cast(N, margin / 2**20) if isinstance(margin, float) else zero_like(margin)
 
 
 def check_added(level: Level[N], world: StoreyWorld[N]) -> None:

@@ -12,7 +12,7 @@ from typing import Generic
 
 from spec.graph import Direction
 from spec.number import N, Truth, greater, lesser, zero_like
-from spec.storeys import Interval
+from spec.storeys import Interval, once_round
 
 
 @dataclass(frozen=True)
@@ -300,21 +300,3 @@ def without(piece: Interval[N], left: N, right: N) -> Iterator[Interval[N]]:
         yield Interval(piece.left, left)
     if right < piece.right:
         yield Interval(right, piece.right)
-
-
-def once_round(place: N, circumference: N) -> N:
-    """The same place on a ring, from 0 to less than once round; in few steps, however far it is."""
-    if place < zero_like(place):
-        back = rest_of(place * -1, circumference)
-        return circumference - back if back > zero_like(back) else back
-    return rest_of(place, circumference)
-
-
-def rest_of(place: N, circumference: N) -> N:
-    """What is left of a number when as many whole rounds as it has are taken away."""
-    while place >= circumference:
-        rounds = circumference
-        while rounds * 2 <= place:
-            rounds = rounds * 2
-        place = place - rounds
-    return place

@@ -16,7 +16,7 @@ from spec.graph import Direction
 from spec.invariants import Relation, equal, every
 from spec.number import N, Truth, greater, zero_like
 from spec.plane import negated
-from spec.storeys import Drive, Interval, Survey
+from spec.storeys import Drive, Interval, Survey, short_way
 
 
 @dataclass(frozen=True)
@@ -253,21 +253,9 @@ def moved_by_velocity(stretch: Stretch[N], body: int) -> Truth:
     start, end = stretch.before.span(body), stretch.after.span(body)
     by = stretch.velocities[body] * stretch.lasted
     return every(
-        equal(short(stretch.after, now - then - by), zero_like(by), stretch.tolerance)
+        equal(short_way(now - then - by, stretch.after.circumference), zero_like(by), stretch.tolerance)
         for then, now in ((start.left, end.left), (start.right, end.right))
     )
-
-
-def short(world: Survey[N], distance: N) -> N:
-    """A distance; on a ring without whole rounds, the short way."""
-    round_ = world.circumference
-    if round_ is None:
-        return distance
-    while distance * 2 > round_:
-        distance = distance - round_
-    while distance * 2 < round_ * -1:
-        distance = distance + round_
-    return distance
 
 
 def nobody_raised(course: Course[N]) -> Truth:
@@ -404,15 +392,18 @@ def seats_found(course: Course[N]) -> Truth:
 
 
 def seat_found(stretch: Stretch[N], body: int) -> Truth:
-    """Whether nothing would have held a body above where it stands now, and no ground or better top does there.
+    """Whether what a body has left no longer holds it, nothing would have held it above where it stands now, and no
+    ground or better top does there.
 
     Looked at is what stayed on its storey: others may have come down to theirs when the body had found its own.
     """
-    world, support = stretch.after, stretch.after.support(body)
+    world, support, left = stretch.after, stretch.after.support(body), stretch.before.support(body)
     storey = world.storey(body)
     passed = range(storey + 1, stretch.before.storey(body) + 1)
     truths = [negated(over(stretch, body, image)) for above in passed for image in grounds(world, above)]
     truths += [negated(by_top(stretch, body, image)) for above in passed for _, image in tops(stretch, above)]
+    if left is not None and world.storey(left) == stretch.before.storey(left):
+        truths += [negated(by_top(stretch, body, image)) for image in images(world, world.span(left))]
     if support is not None:
         truths += [negated(over(stretch, body, image)) for image in grounds(world, storey)]
         truths += [
@@ -532,9 +523,9 @@ STEP_INSTANTS = of_step(
 
 STEP_SEAT = of_step(
     "seat",
-    "A body that loses its support stands on the ground of its storey if it is over it; else on the top that is "
-    "front-most in its motion relative to what it lost, or without such motion on one that it is over most; and it "
-    "falls only where nothing holds it.",
+    "A body leaves a support only when that no longer holds it. Then it stands on the ground of its storey if it is "
+    "over it; else on the top that is front-most in its motion relative to what it lost, or without such motion on one "
+    "that it is over most; and it falls only where nothing holds it.",
     "6.2.1d, 6.2.1e; R21, R22, R25, A23",
     seats_found,
 )

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from typing import Generic, Protocol
 
 from spec.graph import Direction
-from spec.number import N, Truth
+from spec.number import N, Truth, zero_like
 
 
 @dataclass(frozen=True)
@@ -149,3 +149,29 @@ class Survey(Storeys[N], Protocol[N]):
 def seat_of(world: Storeys[N], body: int) -> Seat:
     """Where a body stands."""
     return Seat(body, world.storey(body), world.support(body))
+
+
+def once_round(place: N, circumference: N) -> N:
+    """The same place on a ring, from 0 to less than once round; in few steps, however far it is."""
+    if place < zero_like(place):
+        back = rest_of(place * -1, circumference)
+        return circumference - back if back > zero_like(back) else back
+    return rest_of(place, circumference)
+
+
+def rest_of(place: N, circumference: N) -> N:
+    """What is left of a number when as many whole rounds as it has are taken away."""
+    while place >= circumference:
+        rounds = circumference
+        while rounds * 2 <= place:
+            rounds = rounds * 2
+        place = place - rounds
+    return place
+
+
+def short_way(distance: N, circumference: N | None) -> N:
+    """A distance; on a ring the short way round."""
+    if circumference is None:
+        return distance
+    distance = once_round(distance, circumference)
+    return distance - circumference if distance * 2 > circumference else distance

@@ -239,3 +239,21 @@ def test_two_bodies_at_one_place_on_a_ring_are_refused(tmp_path):
     path = written(tmp_path, [], {**ring, "vertices": vertices, "bodies": bodies})
     with pytest.raises(FormatError, match=r"\$\.level\.bodies\[2\]: 'A' and 'Rider' are at one place"):
         play(path)
+
+
+def test_in_floats_a_body_comes_exactly_the_margin_away(tmp_path):
+    held = {"name": "A", "left": {"edge": 0, "location": "6"}, "right": {"edge": 0, "location": "7"}}
+    level = {
+        "format": "graphbody/level@1",
+        "name": "l",
+        "margin": "1/10",
+        "vertices": [[0, 0], [20, 0]],
+        "bodies": [held],
+    }
+    come = {"name": "B", "left": {"edge": 0, "location": "71/10"}, "right": {"edge": 0, "location": "81/10"}}
+    scenario = {"format": "graphbody/scenario@1", "name": "s", "level": level, "profile": "repaired"}
+    path = tmp_path / "scenario.json"
+    path.write_text(json.dumps({**scenario, "steps": [{"add": come}]}))
+    for floats in (False, True):
+        (step,) = play(path, floats).steps
+        assert [one.name for one in step.bodies] == ["A", "B"]

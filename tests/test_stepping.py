@@ -18,8 +18,8 @@ from reference.plan import check_plan, plan_of
 from reference.play import library, play
 from reference.recording import header_of, lines_of
 from reference.stepping import StepGame, of_step
-from reference.storeys import Interval, once_round
 from reference.world import LevelError
+from spec.storeys import Interval, once_round
 
 REPAIRED = [path for path in library() if path.stem.startswith("repaired-")]
 LEVEL = {

@@ -22,7 +22,7 @@ from spec.registry import rules_of
 from spec.rule import Family
 from spec.rules.row import full_speed, its_own, takes_part, the_same
 from spec.rules.settle import front_most
-from spec.stepped import OF_ONE_STEP, STEP_INSTANTS, all_held, margins_kept, outside_terrain
+from spec.stepped import OF_ONE_STEP, STEP_INSTANTS, STEP_SEAT, Course, Stretch, all_held, margins_kept, outside_terrain
 from spec.storeys import Drive, Interval
 
 STILL = Drive(Fraction(0))
@@ -187,3 +187,26 @@ def test_every_invariant_holds_of_a_step_in_which_nothing_happens():
     world = line(9, 1, Place(0, Fraction(0), Fraction(2), None))
     course = drive(REPAIRED.rules, world, {0: STILL}, Fraction(0), Fraction(0))
     assert all(invariant.holds(course) for invariant in OF_ONE_STEP)
+
+
+@pytest.mark.parametrize(
+    ("places", "ground", "way", "seat"),
+    [
+        ([Place(0, 2, 2, None), Place(0, 5, 2, None), Place(1, 2, 2, 0)], (), Fraction(7, 8), 1),
+        ([Place(0, 2, 2, None), Place(1, 2, 2, 0)], (Interval(5, 9),), Fraction(9, 8), None),
+        ([Place(0, 2, 1, None), Place(0, Fraction(7, 2), 1, None), Place(1, 2, 3, 0)], (), 0, 1),
+    ],
+    ids=("onto the next top", "onto the ground", "at rest"),
+)
+def test_a_body_that_leaves_a_support_that_still_holds_it_is_noticed(places, ground, way, seat):
+    terrain = Terrain((tuple(ground),) if ground else (), Interval(0, 20))
+    before, mover = StoreyWorld(terrain, Fraction(1, 4), places), len(places) - 1
+    after = before.copy()
+    after.advance(mover, way)
+    still = dict.fromkeys(range(len(places)), Fraction(0))
+    drives = dict.fromkeys(still, STILL) | {mover: Drive(Fraction(way and 1), relative=False)}
+    speeds = still | {mover: Fraction(way and 1)}
+    kept = Stretch(before, after.copy(), Fraction(way or 1), speeds, drives, Fraction(0))
+    assert STEP_SEAT.holds(Course((kept,)))
+    after.stand(mover, seat)
+    assert not STEP_SEAT.holds(Course((replace(kept, after=after),)))

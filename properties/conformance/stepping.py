@@ -26,12 +26,12 @@ from reference.plan import Plan, check_plan
 from reference.recording import Recording, event_record, events_of
 from reference.simulator import Endless, Happened
 from reference.stepping import MOST_CHOSEN, StepGame, of_step, run, told
-from reference.storeys import StoreyWorld, Terrain, once_round
+from reference.storeys import StoreyWorld, Terrain
 from reference.world import LevelError, World
 from spec.body import Level
 from spec.graph import Direction
 from spec.profiles import SteppedProfile
-from spec.storeys import Drive, Interval
+from spec.storeys import Drive, Interval, short_way
 
 MOST_WAYS = 500
 MOST_CHOICES = 100_000
@@ -214,14 +214,6 @@ class OfSteps:
         game.step(*of_step(level, line.asked))
         place = game.storeys.places[game.names.index(body)]
         return place.storey, place.left, None if place.support is None else game.names[place.support]
-
-
-def short_way(distance: Fraction, circumference: Fraction | None) -> Fraction:
-    """A distance; on a ring the short way round."""
-    if circumference is None:
-        return distance
-    around = once_round(distance, circumference)
-    return around if around * 2 <= circumference else around - circumference
 
 
 def way(speed: Fraction) -> Direction:

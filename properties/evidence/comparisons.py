@@ -18,7 +18,8 @@ from reference.storeys import StoreyWorld
 from spec.invariants import every
 from spec.number import Truth
 from spec.rules.step import StepRules
-from spec.stepped import STEP_BODY_ORDER, STEP_FURTHEST, STEP_MIRROR, STEP_RIDERS, STEP_SPLIT, Course, short
+from spec.stepped import STEP_BODY_ORDER, STEP_FURTHEST, STEP_MIRROR, STEP_RIDERS, STEP_SPLIT, Course
+from spec.storeys import short_way
 
 ZERO = Fraction(0)
 
@@ -43,7 +44,7 @@ def alike(one: Any, other: Any, names: Sequence[int] | None = None) -> Truth:
     """Whether bodies are at the same places, on the same supports; `names` are those of the other's bodies in one."""
     held = range(len(other.places)) if names is None else names
     return every(
-        (short(one, one.span(body).left - other.span(twin).left) == 0)
+        (short_way(one.span(body).left - other.span(twin).left, one.circumference) == 0)
         if seat(one, body) == (other.storey(twin), None if other.support(twin) is None else held[other.support(twin)])
         else False
         for twin, body in enumerate(held)
@@ -87,7 +88,9 @@ def riders_do_not_count(rules: StepRules, outing: Outing, course: Course[Any]) -
         below = tuple(body for body in outing.drives_by_body if start.storey(body) <= storey)
         alone, meanwhile = until_one_comes_down(course, storey)
         other = after(rules, chosen(start, below), chosen_drives(outing.drives_by_body, below), alone)
-        if not all(not short(start, meanwhile.span(b).left - other.span(i).left) for i, b in enumerate(below)):
+        if not all(
+            not short_way(meanwhile.span(b).left - other.span(i).left, start.circumference) for i, b in enumerate(below)
+        ):
             return False
     return True
 

@@ -13,9 +13,9 @@ from random import Random
 from hypothesis import strategies as st
 
 from properties.strategies.rows import GRIDS
-from reference.storeys import Place, StoreyWorld, Terrain, once_round
+from reference.storeys import Place, StoreyWorld, Terrain
 from spec.stepped import margins_kept, outside_terrain
-from spec.storeys import Drive, Interval
+from spec.storeys import Drive, Interval, once_round
 
 ZERO, ONE = Fraction(0), Fraction(1)
 WIDTHS = (ONE, ONE, ONE, ONE / 2, 2 * ONE, 3 * ONE)

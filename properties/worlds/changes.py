@@ -8,8 +8,8 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
 
-from reference.storeys import Place, StoreyWorld, Terrain, once_round
-from spec.storeys import Drive, Interval
+from reference.storeys import Place, StoreyWorld, Terrain
+from spec.storeys import Drive, Interval, once_round
 
 Drives = dict[int, Drive[Any]]
 
