@@ -137,7 +137,7 @@ class Terrain:
         if around is None:
             yield from spans
         else:
-            yield from ((left + k * around, right + k * around) for left, right in spans for k in range(-2, 4))
+            yield from ((left + k * around, right + k * around) for left, right in spans for k in range(-6, 7))
 
     def ends(self) -> Span:
         """Return the left-most and the right-most place of a vertex: on a line, the ends of the level."""
@@ -155,7 +155,7 @@ class Terrain:
         """Return what a body on a storey can stand on, other bodies apart."""
         if storey == 0:
             left, right = self.ends()
-            rounds = 4 * (self.circumference or ZERO)
+            rounds = 7 * (self.circumference or ZERO)
             return [(left - rounds, right + rounds)]
         return self.solid.get(storey - 1, [])
 
@@ -202,7 +202,7 @@ def laid_out(terrain: Terrain, string: list[GroundEdge]) -> Iterator[list[tuple[
         yield once
         return
     rounds = [
-        [(number, (left + k * around, right + k * around)) for number, (left, right) in once] for k in range(-2, 4)
+        [(number, (left + k * around, right + k * around)) for number, (left, right) in once] for k in range(-5, 6)
     ]
     if x - once[0][1][0] == around:
         yield [edge for one in rounds for edge in one]
