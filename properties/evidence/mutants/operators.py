@@ -28,6 +28,52 @@ OF_FORM = ("strict", "model_completion", "som", "arith_lhs", "sort_sums")
 LENGTHS = ("moved", "stride", "rest", "distance")
 TWICE = ("yield Ask", "yield from rules", "rules.follow", "rules.leave", "view.place")
 BOTH_SIDED = ("view", "leaving", "placement", "jump", "other", "best", "placed")
+SEGMENT = "rules.segment(rules, view, body, motion, spare)"
+DEPART = "depart(rules, view, body, motion.at, rear, tow.moved)"
+BY_HAND: dict[str, tuple[str, ...]] = {
+    SEGMENT: (
+        "rules.segment(replace(rules, walk=rules.fit), view, body, motion, spare)",
+        "rules.segment(rules, replace(view), body, motion, spare)",
+        "rules.segment(rules, view, view.ahead(body, motion.at), motion, spare)",
+        "rules.segment(rules, view, body, motion, spare + spare)",
+        "rules.segment(rules, view, body, replace(motion, rest=motion.rest + motion.rest), spare)",
+        "rules.segment(rules, view, body, replace(motion, rest=motion.rest * 0), spare)",
+    ),
+    "Tow(view, rules.walk, view.rear(body), distance - motion.rest)": (
+        "Tow(replace(view), rules.walk, view.rear(body), distance - motion.rest)",
+        "Tow(view, rules.fit, view.rear(body), distance - motion.rest)",
+        "Tow(view, rules.walk, motion.at, distance - motion.rest)",
+    ),
+    "rules.follow.choose(tow).effect(tow)": ("view.rear(body)",),
+    DEPART: (
+        "depart(rules, view, body, view.front(body), rear, tow.moved)",
+        "depart(rules, view, body, motion.at, view.rear(body), tow.moved)",
+    ),
+    "rules.leave.choose(leaving).effect(leaving)": ("Placement(motion.at, rear, tow.moved)",),
+    "placement.moved": ("placement.moved + placement.moved",),
+    "walk=rules.walk": ("walk=rules.fit",),
+    "fit=rules.fit": ("fit=rules.walk",),
+    "landing=rules.landing": ("landing=rules.walk",),
+    "near=near": ("near=near + near",),
+    "lesser(motion.rest, reach)": (
+        "lesser(motion.rest, reach) * motion.at.edge",
+        "lesser(motion.rest, reach) * (1 - motion.at.edge)",
+    ),
+    "other is not None and asked is not None": (
+        "other is not None and asked is not None and motion.at.edge",
+        "other is not None and asked is not None and not motion.at.edge",
+    ),
+    "self.spare > 0 and self.pushes": (
+        "self.spare > 0 and self.pushes and (self.neighbour is None or self.neighbour < self.margin)",
+    ),
+    "Way(motion.rest, blocked=False)": ("Way(distance, blocked=False)", "Way(motion.rest * 0, blocked=False)"),
+    "walk_freely(tow.walk, tow.view, tow.rear, tow.moved).at": (
+        "tow.view.along(tow.rear, tow.moved)",
+        "tow.view.along(tow.rear, tow.moved + tow.moved)",
+    ),
+}
+"""What stands for an expression, where something wrong is wanted that no operator makes."""
+BY_HAND_NAMES = {"replace", "Placement"}
 
 
 def other_bound(node: ast.AST) -> Iterator[ast.AST]:
@@ -133,6 +179,8 @@ def other_argument(node: ast.AST) -> Iterator[ast.AST]:
                 yield with_argument(node, place, ast.Name(SAME_KIND[own.id], ast.Load()))
             if isinstance(own, ast.Name) and own.id == "spare":
                 yield with_argument(node, place, ast.BinOp(own, ast.Sub(), ast.Constant(1)))
+    if isinstance(node, ast.keyword) and isinstance(node.value, ast.Name) and node.value.id == node.arg in SAME_KIND:
+        yield ast.keyword(node.arg, ast.Name(SAME_KIND[node.arg], ast.Load()))
 
 
 def with_argument(call: ast.Call, place: int, other: ast.expr) -> ast.Call:
@@ -140,7 +188,23 @@ def with_argument(call: ast.Call, place: int, other: ast.expr) -> ast.Call:
     return ast.Call(call.func, [*call.args[:place], other, *call.args[place + 1 :]], call.keywords)
 
 
-WEAKENING: tuple[Operator, ...] = (other_bound, fewer_exact_terms, fewer_conjuncts, opposite, no_effect)
+def other_length(node: ast.AST) -> Iterator[ast.AST]:
+    """Nothing, and twice as much, for a length that is handed on by its name."""
+    if isinstance(node, ast.keyword) and node.arg in (*LENGTHS, "width") and isinstance(node.value, ast.Name):
+        yield ast.keyword(node.arg, times_zero(node.value))
+        yield ast.keyword(node.arg, ast.BinOp(node.value, ast.Add(), node.value))
+
+
+def by_hand(node: ast.AST) -> Iterator[ast.AST]:
+    """What is made by hand, for an expression or for an argument with its name."""
+    if isinstance(node, ast.expr | ast.keyword):
+        for other in BY_HAND.get(ast.unparse(node), ()):
+            call = ast.parse(f"dict({other})", mode="eval").body
+            assert isinstance(call, ast.Call)
+            yield from (*call.args, *call.keywords)
+
+
+WEAKENING: tuple[Operator, ...] = (other_bound, fewer_exact_terms, fewer_conjuncts, opposite, no_effect, by_hand)
 OPERATORS: tuple[Operator, ...] = (
     other_bound,
     fewer_terms,
@@ -152,6 +216,8 @@ OPERATORS: tuple[Operator, ...] = (
     another_time,
     other_side,
     other_argument,
+    other_length,
+    by_hand,
 )
 
 
@@ -185,7 +251,7 @@ def variants(function: ast.FunctionDef, operators: Sequence[Operator]) -> Iterat
         if id(node) in passive:
             continue
         for other in (other for operator in operators for other in operator(node)):
-            if names_in(other) <= known:
+            if names_in(other) <= known | BY_HAND_NAMES:
                 yield Variant(told(node, other), replaced(function, place, other), probe(function, place, node, other))
 
 
