@@ -58,7 +58,7 @@ def check(
     if BUILD.exists() and not BUILD.is_dir():
         refuse(f"{BUILD}: expected a directory, to write results to")
     prepare_export(export)
-    store = Store(JOBS if export is None else export / "jobs", sources())
+    store: Store[Showing] = Store(JOBS if export is None else export / "jobs", sources())
     showings = run_all(exporting(export, all_jobs(claims, seed, ledgers)), store)
     if sources() != store.sources:
         refuse("the sources have changed during the run; nothing was written: run it again")
@@ -120,7 +120,7 @@ def chosen_claims(name: str | None, long: bool) -> Sequence[Claim]:
     return [found]
 
 
-def run_all(jobs: Jobs, store: Store) -> dict[Job, Showing]:
+def run_all(jobs: Jobs, store: Store[Showing]) -> dict[Job, Showing]:
     """Run jobs in processes, with progress on a terminal; those that were done before are taken over."""
     from rich.console import Console
     from rich.progress import Progress
@@ -342,7 +342,11 @@ def mutants(
 
     prepare_export(export)
     if record:
-        found = record_all(lambda name, kills: print(f"{name}\n    {kills[0].by if kills else 'SURVIVES'}", flush=True))
+        try:
+            found = record_all(read_record(), lambda *told: print(*told, file=sys.stderr, flush=True))
+        except KeyboardInterrupt:
+            print("graphbody: interrupted; what was found is kept, the next run goes on from there", file=sys.stderr)
+            raise typer.Exit(130) from None
         write_record(found)
         PAGE.write_text(page_of(found))
     known = read_record()

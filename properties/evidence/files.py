@@ -6,6 +6,7 @@ from pathlib import Path
 
 BUILD = Path("build")
 WITNESSES, JOBS = BUILD / "witnesses", BUILD / "jobs"
+MUTANTS = BUILD / "mutants"
 RESULTS, RESULTS_LONG = BUILD / "results.json", BUILD / "results-long.json"
 
 LISTED = "obligations.json"

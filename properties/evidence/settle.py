@@ -218,7 +218,9 @@ def all_jobs(claims: Iterable[Claim], seed: int = 0, spreads: bool = False) -> J
     return jobs
 
 
-def run(jobs: Jobs, executor: Executor, store: Store, progress: Callable[[int, int], None]) -> dict[Job, Showing]:
+def run(
+    jobs: Jobs, executor: Executor, store: Store[Showing], progress: Callable[[int, int], None]
+) -> dict[Job, Showing]:
     """Run all jobs but those whose current result is stored; each stores its own, so a run that stops loses no other.
 
     `progress` is told how many are done and how many there are.

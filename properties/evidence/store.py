@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from fractions import Fraction
 from pathlib import Path
-from typing import Any
+from typing import Any, Generic, TypeVar
 from urllib.parse import quote
 
 import msgspec
@@ -18,43 +18,47 @@ from properties.evidence.showing import Job, Showing
 from properties.evidence.sources import sources
 from reference.formats.files import write_whole
 
+T = TypeVar("T")
 
-class Stored(msgspec.Struct, frozen=True):
+
+class Stored(msgspec.Struct, Generic[T], frozen=True):
     """A result, what it is the result of, and the sources that it is about."""
 
     job: Job
     sources: str
-    showing: Showing
+    showing: T
 
 
 @dataclass(frozen=True)
-class Store:
-    """A directory of results, and the sources that are current."""
+class Store(Generic[T]):
+    """A directory of results of one kind, and the sources that are current."""
 
     directory: Path
     sources: str
+    kind: Any = Showing
 
     def path(self, job: Job) -> Path:
         """Where the result of a job is."""
         return self.directory / f"{quote('|'.join(job), safe=' |(),')}.json".replace("|", "+")
 
-    def get(self, job: Job) -> Showing | None:
+    def get(self, job: Job) -> T | None:
         """The result of a job, if there is one and it is about the current sources."""
+        form: Any = Stored
         try:
-            found = msgspec.json.decode(self.path(job).read_bytes(), type=Stored, dec_hook=from_text)
+            found = msgspec.json.decode(self.path(job).read_bytes(), type=form[self.kind], dec_hook=from_text)
         except (OSError, msgspec.DecodeError):
             return None
         return found.showing if found.sources == self.sources and found.job == job else None
 
-    def current(self, jobs: Iterable[Job]) -> dict[Job, Showing]:
+    def current(self, jobs: Iterable[Job]) -> dict[Job, T]:
         """The results of those jobs that have one."""
         return {job: found for job in jobs if (found := self.get(job)) is not None}
 
-    def put(self, job: Job, showing: Showing) -> None:
+    def put(self, job: Job, showing: T) -> None:
         """Keep a result, also if it is interrupted: all of it, or what was there before."""
         write_whole(self.path(job), msgspec.json.encode(Stored(job, self.sources, showing), enc_hook=str))
 
-    def run(self, job: Job, evidence: Callable[[], Showing]) -> Showing:
+    def run(self, job: Job, evidence: Callable[[], T]) -> T:
         """Run a job and keep what it showed, unless the sources have changed since the run began."""
         showing = evidence()
         if sources() == self.sources:

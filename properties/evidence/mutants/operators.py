@@ -90,18 +90,22 @@ def fewer_terms(node: ast.AST) -> Iterator[ast.AST]:
         yield ast.BinOp(node.left, node.op, times_zero(node.right))
 
 
-def fewer_exact_terms(node: ast.AST) -> Iterator[ast.AST]:
-    """A sum or a difference without its second term, unless that is the tolerance, which is 0 on exact numbers."""
-    if isinstance(node, ast.BinOp) and not ast.unparse(node.right).endswith("tolerance"):
-        yield from fewer_terms(node)
-
-
 def other_term(node: ast.AST) -> Iterator[ast.AST]:
     """A sum or a difference with the other sign, and with its second term twice."""
     if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add | ast.Sub) and not of_sets(node):
         flipped = ast.Sub() if isinstance(node.op, ast.Add) else ast.Add()
         yield ast.BinOp(node.left, flipped, node.right)
         yield ast.BinOp(node, node.op, node.right)
+
+
+def exactly(operator: Operator) -> Operator:
+    """An operator that leaves alone what a tolerance is added to or taken from: it is 0 on exact numbers."""
+
+    def exact(node: ast.AST) -> Iterator[ast.AST]:
+        if not (isinstance(node, ast.BinOp) and ast.unparse(node.right).endswith("tolerance")):
+            yield from operator(node)
+
+    return exact
 
 
 def of_sets(node: ast.expr) -> bool:
@@ -161,7 +165,7 @@ def another_time(node: ast.AST) -> Iterator[ast.AST]:
     if value is not None and ast.unparse(value).lstrip("(").startswith(TWICE):
         assert isinstance(node, ast.stmt)
         yield ast.If(ast.Constant(True), [node, node], [])
-    if isinstance(node, ast.While):
+    if isinstance(node, ast.While) and not any(isinstance(one, ast.Break | ast.Continue) for one in ast.walk(node)):
         yield ast.If(node.test, node.body, [])
 
 
@@ -204,7 +208,7 @@ def by_hand(node: ast.AST) -> Iterator[ast.AST]:
             yield from (*call.args, *call.keywords)
 
 
-WEAKENING: tuple[Operator, ...] = (other_bound, fewer_exact_terms, fewer_conjuncts, opposite, no_effect, by_hand)
+WEAKENING: tuple[Operator, ...] = (other_bound, exactly(fewer_terms), fewer_conjuncts, opposite, no_effect, by_hand)
 OPERATORS: tuple[Operator, ...] = (
     other_bound,
     fewer_terms,
@@ -221,9 +225,21 @@ OPERATORS: tuple[Operator, ...] = (
 )
 
 
+EXACT: tuple[Operator, ...] = tuple(map(exactly, OPERATORS))
+
+
 def times_zero(term: ast.expr) -> ast.expr:
     """A term that is 0, of the same kind of number."""
     return ast.BinOp(term, ast.Mult(), ast.Constant(0))
+
+
+def promised(function: ast.FunctionDef) -> set[int]:
+    """The identities of nodes in what is ensured. True rules keep a promise, so of them a weaker one says the same;
+    only a wrong rule tells.
+    """
+    calls = [one for one in ast.walk(function) if isinstance(one, ast.Call) and isinstance(one.func, ast.Attribute)]
+    said = [argument for call in calls if ast.unparse(call.func) == "given.ensure" for argument in call.args]
+    return {id(node) for root in said for node in ast.walk(root)}
 
 
 def unread(function: ast.FunctionDef) -> set[int]:
@@ -236,7 +252,7 @@ def unread(function: ast.FunctionDef) -> set[int]:
 @dataclass(frozen=True)
 class Variant:
     """A function with one change. `probe` is the function as it is, with both the old and the new expression told to
-    `alike`, if it is an expression that is changed and has no effect of its own.
+    `alike`, if it is an expression that is changed, has no effect of its own, and is not part of a promise.
     """
 
     change: str
@@ -247,12 +263,14 @@ class Variant:
 def variants(function: ast.FunctionDef, operators: Sequence[Operator]) -> Iterator[Variant]:
     """A function with one change, for each place and each operator that fits it."""
     nodes, known, passive = list(ast.walk(ast.Module(function.body, []))), names_in(function), unread(function)
+    told_by_wrong_ones = promised(function)
     for place, node in enumerate(nodes):
         if id(node) in passive:
             continue
         for other in (other for operator in operators for other in operator(node)):
             if names_in(other) <= known | BY_HAND_NAMES:
-                yield Variant(told(node, other), replaced(function, place, other), probe(function, place, node, other))
+                probing = None if id(node) in told_by_wrong_ones else probe(function, place, node, other)
+                yield Variant(told(node, other), replaced(function, place, other), probing)
 
 
 def probe(function: ast.FunctionDef, place: int, node: ast.AST, other: ast.AST) -> ast.FunctionDef | None:
