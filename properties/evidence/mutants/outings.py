@@ -7,15 +7,19 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from functools import cache
+from typing import Any
 
 from properties.evidence.mutants.trial import CRASHES, Kill, ended
 from properties.evidence.sample import Campaign
-from properties.evidence.sample_steps import STOREYS
+from properties.evidence.sample_steps import STOREYS, course_of
 from properties.strategies.storeys import MOST_BODIES, MOST_STOREYS, Outing, outing
+from reference.simulator import Endless
 from spec.profiles import REPAIRED
+from spec.rule import GuardError
+from spec.stepped import Course
 
 STEPPED, WORLD = "storeys: ", "world"
-MANY, ALL = 150, 600
+MANY, ALL = 40, 240
 """How many worlds are tried for all that fails in them; and how many if nothing does."""
 
 
@@ -43,9 +47,19 @@ def broken_in(number: int) -> tuple[str, ...] | None:
         return None
 
 
-def kill_in(number: int, broken: str, still: bool = True, on: str = "") -> Kill:
-    """A property that fails in a world; or, if it is not `still` so, one that fails with `on` in place, and no more."""
-    return Kill(f"{STEPPED}{broken}", (broken,) if still else (), {WORLD: str(number)}, on)
+def course_in(number: int) -> Course[Any] | None:
+    """What comes of a step in the world of a number; None if there is nobody, if it crashes, or does not end."""
+    held = outing_of(number)
+    try:
+        with ended():
+            return course_of(REPAIRED.rules, held, floats=False) if held.places else None
+    except (*CRASHES, GuardError, Endless):
+        return None
+
+
+def kill_in(number: int, broken: str) -> Kill:
+    """A property that fails in a world."""
+    return Kill(f"{STEPPED}{broken}", (broken,), {WORLD: str(number)})
 
 
 def kills_by_storeys(first: bool = False) -> Iterator[Kill]:
