@@ -25,7 +25,7 @@ from properties.evidence.mutants.trial import (
     Kill,
     attempt,
     crash_of,
-    functions_called,
+    facts_of,
     interface,
     miscounted,
     no_change,
@@ -134,7 +134,7 @@ def test_a_wrong_engine_is_caught_by_one_of_its_tests():
 
 def calls_of(name: str) -> dict[str, frozenset[str]]:
     """The functions that an obligation runs."""
-    return {name: functions_called(name)}
+    return {name: facts_of(name).calls}
 
 
 def test_a_change_that_changes_nothing_is_proved_to():

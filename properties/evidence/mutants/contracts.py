@@ -24,8 +24,6 @@ OBLIGATIONS = (
     "properties.contracts.leaving",
     "properties.contracts.families",
     "properties.contracts.ticks",
-    "properties.contracts.strings",
-    "properties.contracts.alike",
     "properties.contracts.steps",
     "properties.contracts.step_families",
     "properties.worlds.window",

@@ -19,7 +19,7 @@ from spec.rule import GuardError
 from spec.stepped import Course
 
 STEPPED, WORLD = "storeys: ", "world"
-MANY, ALL = 40, 240
+MANY, ALL = 15, 240
 """How many worlds are tried for all that fails in them; and how many if nothing does."""
 
 

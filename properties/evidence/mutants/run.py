@@ -41,15 +41,15 @@ from properties.evidence.mutants.rules import of_rules, of_steps
 from properties.evidence.mutants.stepped import kill_of_judge, of_judges
 from properties.evidence.mutants.trial import (
     CRASHING,
+    Facts,
     Kill,
     count_crash,
     counted,
     crash_of,
     errata,
     explored,
-    functions_called,
+    facts_of,
     interface,
-    is_tried,
     kills_by_counts,
     kills_by_proofs,
     kills_by_rows,
@@ -86,14 +86,6 @@ WRONG = ("rules", "steps", "worlds", "contracts")
 
 
 @dataclass(frozen=True)
-class Facts:
-    """The functions that an obligation runs, and the names of what it assumes and draws."""
-
-    calls: frozenset[str]
-    premises: tuple[str, ...]
-
-
-@dataclass(frozen=True)
 class Known:
     """What is known before the mutants of a group are tried.
 
@@ -118,12 +110,6 @@ class Known:
     def premises(self) -> dict[str, tuple[str, ...]]:
         """What each obligation assumes."""
         return {name: facts.premises for name, facts in self.facts.items()}
-
-    @property
-    def new(self) -> dict[str, frozenset[str]]:
-        """The functions of the obligations that assume something else than recorded, or were not recorded."""
-        old = self.recorded.premises
-        return {name: facts.calls for name, facts in self.facts.items() if old.get(name) != facts.premises}
 
 
 @dataclass(frozen=True)
@@ -151,7 +137,7 @@ def begin(*known: Known) -> None:
 
 def evidence_of(claim: Claim) -> tuple[str, ...]:
     """What a claim rests on, of what mutants are tried on."""
-    obligations = [name_of(claim, one) for one in claim.obligations if is_tried(one)]
+    obligations = [name_of(claim, one) for one in claim.obligations if one.shape is None]
     tested = [f"{STEPPED}{claim.about}"] if claim.sampled == STOREYS.name else []
     return (*obligations, *(f"count: {one.id}" for one in counted(claim)), *tested)
 
@@ -164,6 +150,7 @@ def resting() -> dict[str, tuple[str, ...]]:
 def kills_of(known: Known, group: str, name: str) -> tuple[Kill, ...]:
     """All that catches a mutant of the rules or of the contracts; of any other, the first thing that does."""
     mutant = GROUPS[group]()[name]
+    outings.made()
     if group == "contracts":
         return kills_of_contract(mutant, known.kills, known.calls, known.premises)
     if group == "obligations":
@@ -194,23 +181,21 @@ def kills_by_runs(witnesses: Mapping[str, Texts]) -> Iterator[Kill]:
     yield from kills_by_witnesses(witnesses)
 
 
-def taken_over(known: Known, group: str, name: str) -> tuple[Kill, ...]:
-    """What was recorded to catch a mutant, if all of it still does, and what obligations that are new find."""
-    kills = known.recorded.kills.get(group, {}).get(name, ())
-    if not kills or complaints(known.premises, group, name, kills):
-        return ()
-    if group not in ("rules", "steps"):
-        return kills
-    mutant = GROUPS[group]()[name]
-    with mutant.in_place():
-        return (*(kill for kill in kills if kill.by not in known.new), *kills_by_proofs(mutant, known.new))
+def taken_over(known: Known, group: str, name: str) -> Found | None:
+    """What was recorded of a mutant, if all that caught it still does, or if it only crashed."""
+    kills, aside = known.recorded.kills.get(group, {}).get(name, ()), known.recorded.equal.get(name, "")
+    if kills and not complaints(known.premises, group, name, kills):
+        return Found(kills)
+    return Found((), aside) if aside.startswith(CRASHING) else None
 
 
 def found_of(group: str, name: str) -> Found:
     """What catches a mutant, or why it counts as none."""
     (known,) = HELD
-    outings.made()
-    kills = taken_over(known, group, name) or kills_of(known, group, name)
+    before = taken_over(known, group, name)
+    if before is not None:
+        return before
+    kills = kills_of(known, group, name)
     return Found(kills, None if kills else set_aside(known, group, name))
 
 
@@ -251,11 +236,6 @@ def complaints(premises: Mapping[str, tuple[str, ...]], group: str, name: str, k
         if now is not None and not found and set(now) != set(kill.broken):
             found.append(f"{kill.by}: says of {name} that {', '.join(now)}; recorded is {', '.join(kill.broken)}")
     return found
-
-
-def facts_of(name: str) -> Facts:
-    """The functions that an obligation runs, and its premises."""
-    return Facts(functions_called(name), interface(name))
 
 
 def set_aside(known: Known, group: str, name: str) -> str | None:

@@ -19,7 +19,7 @@ from properties.evidence.mutants.outings import STEPPED, WORLD, course_in, kill_
 from properties.evidence.mutants.trial import CRASHES, Kill
 from spec.stepped import OF_ONE_STEP, Course, StepInvariant
 
-RIGHT, MOST_WRONG = 80, 40
+RIGHT, MOST_WRONG = 40, 15
 """How many right steps are tried; and how many wrong ones for each property."""
 JUDGES = {f"{STEPPED}{one.id}": one for one in OF_ONE_STEP}
 

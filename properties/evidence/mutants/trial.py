@@ -32,18 +32,9 @@ from spec.rule import GuardError
 SAME = "the same, proved wherever"
 CRASHING = "makes its evidence crash"
 EXAMPLES, ROWS = 100, "rows: random"
-QUICK = frozenset(
-    {
-        "rows/requests-end-alike (2 on a line of 1, 0, right)",
-        "steps/steps-keep-the-invariants (alone)",
-        "steps/steps-keep-the-invariants (a push)",
-        "steps/steps-have-mirror-images (a push)",
-        "steps/steps-may-be-split (alone)",
-    }
-)
 LONG = frozenset({"differences-have-causes"})
 KEPT = "what the witness broke is kept"
-SECONDS = 10
+SECONDS = 20
 
 
 class DoesNotEnd(KeyboardInterrupt):
@@ -76,6 +67,14 @@ class Kill:
     on: str = ""
 
 
+@dataclass(frozen=True)
+class Facts:
+    """The functions that an obligation runs, and the names of what it assumes and draws."""
+
+    calls: frozenset[str]
+    premises: tuple[str, ...]
+
+
 @contextlib.contextmanager
 def ended() -> Iterator[None]:
     """Stop what does not end, after some seconds of the processor; what is stopped counts as nothing."""
@@ -92,11 +91,6 @@ def ended() -> Iterator[None]:
         signal.signal(signal.SIGVTALRM, before)
 
 
-def is_tried(obligation: Obligation) -> bool:
-    """Whether mutants are tried on an obligation: all that speak of any number of bodies and edges, and quick ones."""
-    return obligation.shape is None or obligation.id in QUICK
-
-
 def name_of(claim: Claim, obligation: Obligation) -> str:
     """The name of an obligation under the profile of a claim."""
     return obligation.id if claim.profile.name == "thesis" else f"{obligation.id} ({claim.profile.name})"
@@ -104,28 +98,29 @@ def name_of(claim: Claim, obligation: Obligation) -> str:
 
 @cache
 def programs() -> dict[str, Program]:
-    """The obligations on which mutants are tried, by name."""
+    """The obligations that speak of any number of bodies and edges, by name."""
     return {
         name_of(claim, obligation): partial(judged, obligation.program, claim.profile)
         for claim in CLAIMS
         for obligation in claim.obligations
-        if is_tried(obligation)
+        if obligation.shape is None
     }
 
 
-def functions_called(name: str) -> frozenset[str]:
-    """The functions that an obligation runs."""
+def facts_of(name: str) -> Facts:
+    """What an obligation runs, assumes and draws."""
     seen: set[CodeType] = set()
 
     def note(frame: FrameType, event: str, argument: Any) -> None:
         seen.add(frame.f_code)
 
-    sys.setprofile(note)
+    before = sys.gettrace()
+    sys.settrace(note)
     try:
-        explore(programs()[name])
+        said = interface(name)
     finally:
-        sys.setprofile(None)
-    return frozenset(map(called, seen))
+        sys.settrace(before)
+    return Facts(frozenset(map(called, seen)), said)
 
 
 def explored(name: str) -> Exploration:
