@@ -113,7 +113,7 @@ def drive(given: Given, running: Generator[Ask[Any, str], Any, Any], seen: Windo
         if ask.distance is None:
             raise Infeasible
         promise(given, REQUEST, Call(asked=ask.distance, moved=ask.distance), REQUEST.requires)
-        given.ensure("only the neighbour is asked", ask.body == NEIGHBOUR)
+        given.ensure("only the neighbour is asked", ask.body is NEIGHBOUR)
         seen.asks.append(ask)
         answer = grant(ask)
         seen.granted = seen.granted + answer

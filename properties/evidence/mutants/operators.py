@@ -77,11 +77,18 @@ BY_HAND_NAMES = {"replace", "Placement"}
 
 
 def other_bound(node: ast.AST) -> Iterator[ast.AST]:
-    """`<` for `<=`, and the other way round; `<=` and `>=` for `==`."""
-    if isinstance(node, ast.Compare):
+    """`<` for `<=`, and the other way round; `<=` and `>=` for `==`, or `!=` where there is no order."""
+    if isinstance(node, ast.Compare) and isinstance(node.ops[0], ast.Eq) and has_no_order(node.comparators[0]):
+        yield ast.Compare(node.left, [ast.NotEq()], node.comparators)
+    elif isinstance(node, ast.Compare):
         for place, own in enumerate(node.ops):
             for other in OTHER_BOUND.get(type(own), ()):
                 yield ast.Compare(node.left, [*node.ops[:place], other(), *node.ops[place + 1 :]], node.comparators)
+
+
+def has_no_order(value: ast.expr) -> bool:
+    """Whether a value is an answer of the solver or a formula."""
+    return ast.unparse(value).startswith(("z3.", "formula_of("))
 
 
 def fewer_terms(node: ast.AST) -> Iterator[ast.AST]:
@@ -91,7 +98,9 @@ def fewer_terms(node: ast.AST) -> Iterator[ast.AST]:
 
 
 def other_term(node: ast.AST) -> Iterator[ast.AST]:
-    """A sum or a difference with the other sign, and with its second term twice."""
+    """A sum or a difference with the other sign, and with its second term twice; a product for a quotient."""
+    if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Div):
+        yield ast.BinOp(node.left, ast.Mult(), node.right)
     if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add | ast.Sub) and not of_sets(node):
         flipped = ast.Sub() if isinstance(node.op, ast.Add) else ast.Add()
         yield ast.BinOp(node.left, flipped, node.right)

@@ -33,6 +33,7 @@ from properties.evidence.mutants.contracts import (
     wrong_one,
 )
 from properties.evidence.mutants.engine import crashing_tests, failed_tests, of_engine
+from properties.evidence.mutants.equal import EQUAL, proved_equal
 from properties.evidence.mutants.invariants import of_invariants
 from properties.evidence.mutants.mutant import Mutant
 from properties.evidence.mutants.outings import STEPPED, WORLD
@@ -241,6 +242,8 @@ def complaints(premises: Mapping[str, tuple[str, ...]], group: str, name: str, k
 def set_aside(known: Known, group: str, name: str) -> str | None:
     """Why a mutant that nothing catches is none: it changes no answer, is proved to change nothing, or crashes."""
     mutant = GROUPS[group]()[name]
+    if name in EQUAL:
+        return proved_equal(mutant)
     if name in ARGUED:
         return f"{CHANGES_NO_ANSWER}: {ARGUED[name]}"
     if group == "invariants":
@@ -325,6 +328,8 @@ def lost(record: Record) -> Iterator[str]:
                 yield f"{name}: assumes {', '.join(said)}; recorded is {', '.join(record.premises.get(name, ()))}"
     for _, wrong in tried_again(record):
         yield from wrong
+    for name in (name for name in of_invariants() if name in EQUAL and not proved_equal(of_invariants()[name])):
+        yield f"{name}: is not proved to be the same any more"
     yield from (f"{name}: SURVIVES" for name in record.survivors())
 
 
