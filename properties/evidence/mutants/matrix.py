@@ -10,7 +10,7 @@ from pathlib import Path
 from rich.console import Console
 from rich.table import Table
 
-from properties.evidence.mutants.argued import CHANGES_NO_ANSWER
+from properties.evidence.mutants.argued import CHANGES_NO_ANSWER, UNNOTICED
 from properties.evidence.mutants.record import Record, by_construction, columns
 from properties.evidence.mutants.trial import CRASHING, SAME
 
@@ -45,7 +45,7 @@ def untried(record: Record) -> list[str]:
 def aside(record: Record, why: str) -> list[str]:
     """The mutants that are set aside for a reason that begins so, with what there is to say of each."""
     return [
-        f"`{name}`: {said.removeprefix(why).lstrip(': ')}"
+        f"`{name}`: {said.removeprefix(why).lstrip(': ')}".removesuffix(": ")
         for name, said in record.equal.items()
         if said.startswith(why)
     ]
@@ -119,6 +119,7 @@ ASIDE = {
     SAME: "are proved to change nothing",
     CHANGES_NO_ANSWER: "change no answer",
     CRASHING: "only crash, which counts as no kill",
+    UNNOTICED: "are noticed by nothing, and count as nothing that is caught",
 }
 """How what is said of a mutant that is set aside begins, and what that means."""
 

@@ -62,6 +62,11 @@ def kill_in(number: int, broken: str) -> Kill:
     return Kill(f"{STEPPED}{broken}", (broken,), {WORLD: str(number)})
 
 
+def number_of(kill: Kill) -> int:
+    """The number of the world of a kill; what is 0 is not written in a record."""
+    return int(str(kill.values.get(WORLD, "0")))
+
+
 def kills_by_storeys(first: bool = False) -> Iterator[Kill]:
     """For each property, the first world in which it fails with a mutant in place; only the `first` such property."""
     found: set[str] = set()

@@ -23,7 +23,7 @@ from properties.claims.claim import Claim
 from properties.evidence.export import Recorder
 from properties.evidence.files import MUTANTS
 from properties.evidence.mutants import outings
-from properties.evidence.mutants.argued import ARGUED, CHANGES_NO_ANSWER
+from properties.evidence.mutants.argued import ARGUED, CHANGES_NO_ANSWER, OPEN, UNNOTICED
 from properties.evidence.mutants.contracts import (
     PREMISES,
     kill_of_obligation,
@@ -36,7 +36,7 @@ from properties.evidence.mutants.engine import crashing_tests, failed_tests, of_
 from properties.evidence.mutants.equal import EQUAL, proved_equal
 from properties.evidence.mutants.invariants import of_invariants
 from properties.evidence.mutants.mutant import Mutant
-from properties.evidence.mutants.outings import STEPPED, WORLD
+from properties.evidence.mutants.outings import STEPPED
 from properties.evidence.mutants.record import Kills, Record
 from properties.evidence.mutants.rules import of_rules, of_steps
 from properties.evidence.mutants.stepped import kill_of_judge, of_judges
@@ -203,7 +203,7 @@ def found_of(group: str, name: str) -> Found:
 def again(premises: Mapping[str, tuple[str, ...]], group: str, name: str, kill: Kill) -> tuple[str, ...] | None:
     """What fails of the evidence of a kill, at its values, with its mutants in place; None if it crashes."""
     if kill.by.startswith(STEPPED):
-        broken = broken_in(group, name, kill.on, int(str(kill.values[WORLD])))
+        broken = broken_in(group, name, kill.on, outings.number_of(kill))
         return None if broken is None else tuple(one for one in broken if kill.by == f"{STEPPED}{one}")
     beside = wrong_one(kill.on).in_place() if kill.on else nullcontext()
     with beside, GROUPS[group]()[name].in_place():
@@ -253,7 +253,8 @@ def set_aside(known: Known, group: str, name: str) -> str | None:
     if group in ("steps", "worlds", "stepped"):
         with mutant.in_place():
             crash = outings.crash_in_storeys()
-        return f"{CRASHING}: {crash}" if crash else no_change(mutant, known.calls) or crash_of(mutant, known.calls)
+        crashes = f"{CRASHING}: {crash}" if crash else crash_of(mutant, known.calls)
+        return no_change(mutant, known.calls) or crashes or UNNOTICED
     return no_change(mutant, known.calls) or crash_of(mutant, known.calls)
 
 
@@ -330,6 +331,10 @@ def lost(record: Record) -> Iterator[str]:
         yield from wrong
     for name in (name for name in of_invariants() if name in EQUAL and not proved_equal(of_invariants()[name])):
         yield f"{name}: is not proved to be the same any more"
+    for group, table in record.kills.items():
+        open_ = [name for name in table if record.equal.get(name) == UNNOTICED]
+        if len(open_) > OPEN.get(group, 0):
+            yield f"{group}: expected at most {OPEN.get(group, 0)} that nothing notices, found {len(open_)}"
     yield from (f"{name}: SURVIVES" for name in record.survivors())
 
 

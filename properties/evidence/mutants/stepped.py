@@ -15,11 +15,11 @@ from typing import Any
 from properties.evidence.mutants.contracts import wrong_one
 from properties.evidence.mutants.mutant import Mutant, mutants_of, told_apart
 from properties.evidence.mutants.operators import EXACT
-from properties.evidence.mutants.outings import STEPPED, WORLD, course_in, kill_in
+from properties.evidence.mutants.outings import STEPPED, course_in, kill_in, number_of
 from properties.evidence.mutants.trial import CRASHES, Kill
 from spec.stepped import OF_ONE_STEP, Course, StepInvariant
 
-RIGHT, MOST_WRONG = 40, 15
+RIGHT, MOST_WRONG = 40, 30
 """How many right steps are tried; and how many wrong ones for each property."""
 JUDGES = {f"{STEPPED}{one.id}": one for one in OF_ONE_STEP}
 
@@ -74,7 +74,7 @@ def silence(mutant: Mutant, caught: Mapping[str, Iterable[Kill]]) -> Kill | None
     for wrong, kill in ((name, kill) for name, kills in caught.items() for kill in kills):
         if kill.by in JUDGES and tried[kill.by] < MOST_WRONG:
             tried[kill.by] += 1
-            course = wrong_step(wrong, int(str(kill.values[WORLD])))
+            course = wrong_step(wrong, number_of(kill))
             if course is not None:
                 with wrong_one(wrong).in_place(), mutant.in_place():
                     passes = kept(JUDGES[kill.by], course)
