@@ -33,6 +33,7 @@ FLOORS_OF_VERDICTS = {
         mirror edge-split full-circle margins-over-time order-over-time world-is-lawful
         landing-keeps-width stays-in-wall near-jump-edges landing-position landing-position/overshoot
         one-step-rule-applies contacts-do-not-close squeezed-bodies-stand speeds-are-wished
+        tops-are-chosen
     """,
     BOUNDED: """
         whole-rows terrain plane-apart-of-two horizontal-alone supports-end never-raised height-kept

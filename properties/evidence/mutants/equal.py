@@ -6,16 +6,22 @@ Each is run beside its original on the same symbolic values, under premises that
 from __future__ import annotations
 
 from collections.abc import Callable
+from fractions import Fraction
 from functools import partial
 from types import SimpleNamespace
 from typing import Any
 
+from properties.contracts.steps import any_member
 from properties.engine.explore import explore
 from properties.evidence.mutants.mutant import Mutant
 from properties.evidence.mutants.trial import SAME
 from properties.given import HAS_WIDTH, Given
-from spec.graph import EdgeType
+from spec.graph import Direction, EdgeType
 from spec.plane import Box, box, negated, terrain
+from spec.profiles import REPAIRED
+from spec.rules.event import Nearing, time_left
+from spec.rules.row import forwards
+from spec.storeys import Contact
 
 FALLS_LEAD_DOWN = "a fall edge is not level"
 
@@ -82,12 +88,28 @@ def level_edges(mutant: Mutant, given: Given) -> None:
     promise_alike(given, mutant, lambda: [fact for one in terrain(world) for fact in facts(one)])
 
 
+def speeds_in_a_row(mutant: Mutant, given: Given) -> None:
+    """Any two members of a row."""
+    row = [any_member(given, body) for body in (0, 1)]
+    promise_alike(given, mutant, lambda: forwards(REPAIRED.rules.row, row, Direction.RIGHT))
+
+
+def what_comes_nearer(mutant: Mutant, given: Given) -> None:
+    """Anything that comes nearer, at some speed; in exact numbers it has not come too near yet."""
+    nearing = Nearing(Contact(0, 1), given.number("room"), Fraction(2))
+    promise_alike(given, mutant, lambda: [time_left(nearing)])
+
+
 EQUAL: dict[str, Callable[[Mutant, Given], None]] = {
     "plane.Box.beside: False instead of True (2)": heights_of_bodies,
     "plane.negated: truth <= False instead of truth == False": plain_truths,
     "plane.box: right < left instead of circumference is not None and right < left": boxes_of_bodies,
     "plane.box: right <= left instead of right < left": boxes_of_bodies,
     "plane.terrain: edge.rise == 0 instead of edge.type is EdgeType.GROUND and edge.rise == 0": level_edges,
+    "row.forwards: member.wish * direction instead of greater(member.wish * direction, zero_like(passed))": (
+        speeds_in_a_row
+    ),
+    "event.time_left: nearing.room instead of greater(nearing.room, zero_like(nearing.room))": what_comes_nearer,
 }
 
 
