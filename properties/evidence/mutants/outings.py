@@ -19,8 +19,10 @@ from spec.rule import GuardError
 from spec.stepped import Course
 
 STEPPED, WORLD = "storeys: ", "world"
-MANY, ALL = 15, 240
-"""How many worlds are tried for all that fails in them; and how many if nothing does."""
+MANY, ALL, CRASHED, MOST_SECONDS = 15, 240, 3, 1
+"""How many worlds are tried for all that fails in them; how many if nothing does; after how many that crash no more are
+tried; and after how many seconds of the processor a step does not end, which takes some hundredths.
+"""
 
 
 @cache
@@ -41,7 +43,7 @@ def broken_in(number: int) -> tuple[str, ...] | None:
     if not held.places:
         return ()
     try:
-        with ended():
+        with ended(MOST_SECONDS):
             return tuple(dict.fromkeys(STOREYS.failing(REPAIRED, held, False, Campaign(STOREYS))))
     except CRASHES:
         return None
@@ -51,7 +53,7 @@ def course_in(number: int) -> Course[Any] | None:
     """What comes of a step in the world of a number; None if there is nobody, if it crashes, or does not end."""
     held = outing_of(number)
     try:
-        with ended():
+        with ended(MOST_SECONDS):
             return course_of(REPAIRED.rules, held, floats=False) if held.places else None
     except (*CRASHES, GuardError, Endless):
         return None
@@ -70,10 +72,13 @@ def number_of(kill: Kill) -> int:
 def kills_by_storeys(first: bool = False) -> Iterator[Kill]:
     """For each property, the first world in which it fails with a mutant in place; only the `first` such property."""
     found: set[str] = set()
+    crashed = 0
     for number in range(ALL):
-        if found and (first or number >= MANY):
+        if (found and (first or number >= MANY)) or crashed == CRASHED:
             return
-        for name in broken_in(number) or ():
+        broken = broken_in(number)
+        crashed += broken is None
+        for name in broken or ():
             if name not in found:
                 found.add(name)
                 yield kill_in(number, name)

@@ -76,14 +76,14 @@ class Facts:
 
 
 @contextlib.contextmanager
-def ended() -> Iterator[None]:
+def ended(seconds: int = SECONDS) -> Iterator[None]:
     """Stop what does not end, after some seconds of the processor; what is stopped counts as nothing."""
 
     def stop(number: int, frame: FrameType | None) -> None:
         raise DoesNotEnd
 
     before = signal.signal(signal.SIGVTALRM, stop)
-    signal.setitimer(signal.ITIMER_VIRTUAL, SECONDS)
+    signal.setitimer(signal.ITIMER_VIRTUAL, seconds)
     try:
         yield
     finally:
