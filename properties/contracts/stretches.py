@@ -77,16 +77,22 @@ def any_way(given: Given, body: int) -> Any:
 
 def any_marks(given: Given, world: StoreyWorld[Any]) -> set[Mark]:
     """Any of the contacts and walls that a world has, recorded."""
-    marks: set[Mark] = set()
-    for left, right in world.neighbours():
-        if given.flag(f"the contact of {left} with {right} is recorded"):
-            given.assume(world.gap(left, right) == world.margin, SOUND)
-            marks.add(Contact(left, right))
+    marks = any_contacts(given, world)
     for body, direction in at_sides(world):
         room = world.to_wall(body, direction)
         if room is not None and given.flag(f"{body} is recorded to be at a wall on the {direction.name.lower()}"):
             given.assume(room == 0, SOUND)
             marks.add(AtWall(body, world.storey(body), direction))
+    return marks
+
+
+def any_contacts(given: Given, world: StoreyWorld[Any]) -> set[Mark]:
+    """Any of the contacts that a world has, recorded."""
+    marks: set[Mark] = set()
+    for left, right in world.neighbours():
+        if given.flag(f"the contact of {left} with {right} is recorded"):
+            given.assume(world.gap(left, right) == world.margin, SOUND)
+            marks.add(Contact(left, right))
     return marks
 
 
@@ -163,13 +169,12 @@ def settling_keeps_apart(rules: StepRules, given: Given, setting: Setting) -> No
             holds = negated(holds)
         given.assume(holds, SOUND)
     ways = {body: any_way(given, body) for body in setting.drives}
-    recorded, world = any_marks(given, before), before.copy()
+    recorded, world = any_contacts(given, before), before.copy()
     for body, changes in groupby(settle(rules.settle, world, ways, lost), lambda change: change.seat.body):
         storeys = [before.storey(body), *(change.seat.storey for change in changes)]
         given.ensure("it comes down, and then stands", all(a == b + 1 for a, b in pairwise(storeys[:-1])))
     for mark in present(world, recorded):
-        if isinstance(mark, Contact):
-            given.ensure("what is still recorded is so", every([is_so(world, mark)]))
+        given.ensure("what is still recorded is so", every([is_so(world, mark)]))
     course = Course((Stretch(before, world, zero, ways, cast(Any, ways), zero),))
     for invariant in (STEP_MARGIN, STEP_TERRAIN, STEP_SUPPORT, STEP_SEAT, STEP_NOT_RAISED):
         given.ensure(invariant.id, every([invariant.holds(course)]))
