@@ -14,51 +14,53 @@ from urllib.parse import quote
 
 import msgspec
 
-from properties.evidence.showing import Job, Showing
+from properties.evidence.showing import Job
 from properties.evidence.sources import sources
 from reference.formats.files import write_whole
 
-T = TypeVar("T")
+Result = TypeVar("Result")
 
 
-class Stored(msgspec.Struct, Generic[T], frozen=True):
+class Stored(msgspec.Struct, frozen=True):
     """A result, what it is the result of, and the sources that it is about."""
 
     job: Job
     sources: str
-    showing: T
+    showing: msgspec.Raw
 
 
 @dataclass(frozen=True)
-class Store(Generic[T]):
+class Store(Generic[Result]):
     """A directory of results of one kind, and the sources that are current."""
 
     directory: Path
     sources: str
-    kind: Any = Showing
+    kind: type[Result]
 
     def path(self, job: Job) -> Path:
         """Where the result of a job is."""
         return self.directory / f"{quote('|'.join(job), safe=' |(),')}.json".replace("|", "+")
 
-    def get(self, job: Job) -> T | None:
+    def get(self, job: Job) -> Result | None:
         """The result of a job, if there is one and it is about the current sources."""
-        form: Any = Stored
         try:
-            found = msgspec.json.decode(self.path(job).read_bytes(), type=form[self.kind], dec_hook=from_text)
+            found = msgspec.json.decode(self.path(job).read_bytes(), type=Stored)
+            if found.sources != self.sources or found.job != job:
+                return None
+            return msgspec.json.decode(found.showing, type=self.kind, dec_hook=from_text)
         except (OSError, msgspec.DecodeError):
             return None
-        return found.showing if found.sources == self.sources and found.job == job else None
 
-    def current(self, jobs: Iterable[Job]) -> dict[Job, T]:
+    def current(self, jobs: Iterable[Job]) -> dict[Job, Result]:
         """The results of those jobs that have one."""
         return {job: found for job in jobs if (found := self.get(job)) is not None}
 
-    def put(self, job: Job, showing: T) -> None:
+    def put(self, job: Job, showing: Result) -> None:
         """Keep a result, also if it is interrupted: all of it, or what was there before."""
-        write_whole(self.path(job), msgspec.json.encode(Stored(job, self.sources, showing), enc_hook=str))
+        shown = msgspec.Raw(msgspec.json.encode(showing, enc_hook=str))
+        write_whole(self.path(job), msgspec.json.encode(Stored(job, self.sources, shown)))
 
-    def run(self, job: Job, evidence: Callable[[], T]) -> T:
+    def run(self, job: Job, evidence: Callable[[], Result]) -> Result:
         """Run a job and keep what it showed, unless the sources have changed since the run began."""
         showing = evidence()
         if sources() == self.sources:
