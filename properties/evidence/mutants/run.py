@@ -51,6 +51,7 @@ from properties.evidence.mutants.trial import (
     explored,
     facts_of,
     interface,
+    is_tried,
     kills_by_counts,
     kills_by_proofs,
     kills_by_rows,
@@ -138,7 +139,7 @@ def begin(*known: Known) -> None:
 
 def evidence_of(claim: Claim) -> tuple[str, ...]:
     """What a claim rests on, of what mutants are tried on."""
-    obligations = [name_of(claim, one) for one in claim.obligations if one.shape is None]
+    obligations = [name_of(claim, one) for one in claim.obligations if is_tried(one)]
     tested = [f"{STEPPED}{claim.about}"] if claim.sampled == STOREYS.name else []
     return (*obligations, *(f"count: {one.id}" for one in counted(claim)), *tested)
 
