@@ -93,7 +93,7 @@ def ended(seconds: int = SECONDS) -> Iterator[None]:
 
 
 def is_tried(obligation: Obligation) -> bool:
-    """Whether mutants are tried on an obligation: on those that speak of any number of bodies and edges, and are quick."""
+    """Whether mutants are tried on an obligation: it speaks of any number of bodies and edges, and is quick."""
     return obligation.shape is None and not obligation.id.startswith(SLOW)
 
 
