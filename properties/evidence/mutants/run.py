@@ -76,12 +76,12 @@ BANK = "count: counts/invariants-judge"
 GROUPS: dict[str, Callable[[], dict[str, Mutant]]] = {
     "rules": of_rules,
     "steps": of_steps,
-    "worlds": of_worlds,
     "contracts": of_contracts,
     "obligations": of_obligations,
-    "stepped": of_judges,
     "invariants": of_invariants,
     "engine": of_engine,
+    "worlds": of_worlds,
+    "stepped": of_judges,
 }
 WRONG = ("rules", "steps", "worlds", "contracts")
 """The groups of which obligations and invariants are to notice each."""
