@@ -9,7 +9,6 @@ import z3
 from properties.engine import explore as engine
 from properties.engine.explore import Counterexample, EngineError, Outcome, explore
 from properties.engine.merge import merged
-from properties.engine.reals import Symbolic
 from properties.engine.simplest import smallest
 from properties.given import Exact, Infeasible
 
@@ -418,11 +417,6 @@ def test_a_comparison_is_the_same_however_it_is_written():
     outcome = explore(program)
     assert outcome.proved
     assert outcome.paths == 1
-
-
-def test_a_comparison_is_one_formula_by_whatever_it_is_multiplied():
-    a = Symbolic.of("a")
-    assert (a * 2 < 4).formula.eq((a < 2).formula)
 
 
 def test_a_quotient_by_a_known_number_is_less():

@@ -17,6 +17,9 @@ ARGUED = {
     "simplest.smallest: total < z3.Q(middle.numerator, middle.denominator, solver.ctx) instead of total <= "
     "z3.Q(middle.numerator, middle.denominator, solver.ctx)": "it is about as small as can be, by one halving less",
     "reals.Symbolic.plus: sign >= 0 instead of sign > 0": "a sign is 1 or -1",
+    "reals.Symbolic.compare: 1 * parts[0][1] instead of 1 / parts[0][1]": (
+        "of one sign with its inverse; a comparison may be multiplied by what is greater than 0"
+    ),
     "reals.Symbolic.compare: scale <= 0 instead of scale < 0": "a scale is not 0",
     "reals.Symbolic.compare: relation <= '<' instead of relation == '<'": "no other relation comes before it",
 }
