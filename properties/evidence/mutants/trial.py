@@ -35,7 +35,7 @@ EXAMPLES, ROWS = 100, "rows: random"
 SLOW = ("stretches/stretches-keep-apart", "stretches/settling-keeps-apart")
 LONG = frozenset({"differences-have-causes"})
 KEPT = "what the witness broke is kept"
-SECONDS = 20
+SECONDS = 6
 
 
 class DoesNotEnd(KeyboardInterrupt):
