@@ -48,6 +48,7 @@ CRASHES = (
     TypeError,
     AttributeError,
     ValueError,
+    ArithmeticError,
     LookupError,
     RecursionError,
     NameError,
