@@ -210,7 +210,7 @@ def test_an_invariant_of_steps_that_lets_a_wrong_step_pass_is_caught_by_it():
 
 def test_what_is_the_same_is_proved_to_be_and_what_is_not_is_not():
     names = {**of_invariants(), **of_steps()}
-    assert all(proved_equal(names[name]) is not None for name in EQUAL)
+    assert all(proved_equal(name, names[name]) is not None for name in EQUAL)
     other = mutant_of(names, "plane.box: circumference is not None instead of circumference is not None and right")
     assert explore(partial(boxes_of_bodies, other)).counterexample is not None
 

@@ -23,9 +23,6 @@ OBLIGATIONS = (
     "properties.contracts.lemma",
     "properties.contracts.leaving",
     "properties.contracts.families",
-    "properties.contracts.ticks",
-    "properties.contracts.steps",
-    "properties.contracts.step_families",
     "properties.worlds.window",
 )
 PREMISES = "other premises"

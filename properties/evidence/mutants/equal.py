@@ -113,8 +113,8 @@ EQUAL: dict[str, Callable[[Mutant, Given], None]] = {
 }
 
 
-def proved_equal(mutant: Mutant) -> str | None:
+def proved_equal(name: str, mutant: Mutant) -> str | None:
     """That a mutant is proved to say the same, if it is."""
-    program = EQUAL[mutant.name]
+    program = EQUAL[name]
     said = f"{SAME} {program.__name__.replace('_', ' ')} are asked about"
     return said if explore(partial(program, mutant)).proved else None

@@ -63,13 +63,17 @@ BY_HAND: dict[str, tuple[str, ...]] = {
         "other is not None and asked is not None and motion.at.edge",
         "other is not None and asked is not None and not motion.at.edge",
     ),
+    "view.along(motion.at, motion.rest)": ("view.along(motion.at, motion.rest + view.margin)",),
+    "every((equal(went, call.moved, call.tolerance) for went in call.borders))": (
+        "every(equal(went, call.moved, call.tolerance) for went in call.borders[:1]) & (call.borders[-1] <= call.moved)",
+    ),
     "self.spare > 0 and self.pushes": (
         "self.spare > 0 and self.pushes and (self.neighbour is None or self.neighbour < self.margin)",
     ),
     "Way(motion.rest, blocked=False)": ("Way(distance, blocked=False)", "Way(motion.rest * 0, blocked=False)"),
     "walk_freely(tow.walk, tow.view, tow.rear, tow.moved).at": (
         "tow.view.along(tow.rear, tow.moved)",
-        "tow.view.along(tow.rear, tow.moved + tow.moved)",
+        "tow.view.along(tow.rear, tow.moved + tow.view.margin)",
     ),
 }
 """What stands for an expression, where something wrong is wanted that no operator makes."""

@@ -39,7 +39,7 @@ from properties.evidence.mutants.mutant import Mutant
 from properties.evidence.mutants.outings import STEPPED
 from properties.evidence.mutants.record import Kills, Record
 from properties.evidence.mutants.rules import of_rules, of_steps
-from properties.evidence.mutants.stepped import kill_of_judge, of_judges
+from properties.evidence.mutants.stepped import kill_of_judge
 from properties.evidence.mutants.trial import (
     CRASHING,
     Facts,
@@ -65,7 +65,6 @@ from properties.evidence.mutants.trial import (
     unrefuted,
     witness_of,
 )
-from properties.evidence.mutants.worlds import of_worlds
 from properties.evidence.sample_steps import STOREYS
 from properties.evidence.showing import Job, Texts
 from properties.evidence.sources import sources
@@ -80,8 +79,6 @@ GROUPS: dict[str, Callable[[], dict[str, Mutant]]] = {
     "obligations": of_obligations,
     "invariants": of_invariants,
     "engine": of_engine,
-    "worlds": of_worlds,
-    "stepped": of_judges,
 }
 WRONG = ("rules", "steps", "worlds", "contracts")
 """The groups of which obligations and invariants are to notice each."""
@@ -244,7 +241,7 @@ def set_aside(known: Known, group: str, name: str) -> str | None:
     """Why a mutant that nothing catches is none: it changes no answer, is proved to change nothing, or crashes."""
     mutant = GROUPS[group]()[name]
     if name in EQUAL:
-        return proved_equal(mutant)
+        return proved_equal(name, mutant)
     if name in ARGUED:
         return f"{CHANGES_NO_ANSWER}: {ARGUED[name]}"
     if group == "invariants":
@@ -332,7 +329,7 @@ def lost(record: Record) -> Iterator[str]:
         yield from wrong
     everything = {name: mutant for mutants in GROUPS.values() for name, mutant in mutants().items()}
     for name in EQUAL:
-        if name not in everything or proved_equal(everything[name]) is None:
+        if name not in everything or proved_equal(name, everything[name]) is None:
             yield f"{name}: expected a mutant that is proved to be the same"
     for group, table in record.kills.items():
         open_ = [name for name in table if record.equal.get(name) == UNNOTICED]
