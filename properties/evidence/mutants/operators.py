@@ -65,7 +65,8 @@ BY_HAND: dict[str, tuple[str, ...]] = {
     ),
     "view.along(motion.at, motion.rest)": ("view.along(motion.at, motion.rest + view.margin)",),
     "every((equal(went, call.moved, call.tolerance) for went in call.borders))": (
-        "every(equal(went, call.moved, call.tolerance) for went in call.borders[:1]) & (call.borders[-1] <= call.moved)",
+        "every(equal(went, call.moved, call.tolerance) for went in call.borders[:1])"
+        " & (call.borders[-1] <= call.moved)",
     ),
     "self.spare > 0 and self.pushes": (
         "self.spare > 0 and self.pushes and (self.neighbour is None or self.neighbour < self.margin)",
