@@ -14,8 +14,45 @@ from spec.rules.request import Rules, segment
 from spec.rules.row import FORWARD, MEET, PASS, WAY
 from spec.rules.settle import SETTLE
 from spec.rules.step import StepRules
+from spec.rules.velocity import (
+    BODY,
+    COEFFICIENT,
+    COEFFICIENT_PRINTED,
+    DRAG,
+    DRAG_PRINTED,
+    FASTEST,
+    FRICTION,
+    NORMAL,
+    NORMAL_PRINTED,
+    PULL,
+    SLOWEST,
+    SLOWEST_PRINTED,
+    VelocityRules,
+)
 from spec.rules.walk import FOLLOW, WALK
 from spec.rules.wish import WISH
+
+PRINTED = VelocityRules(
+    body=BODY,
+    pull=PULL,
+    normal=NORMAL_PRINTED,
+    coefficient=COEFFICIENT_PRINTED,
+    friction=FRICTION,
+    drag=DRAG_PRINTED,
+    fastest=FASTEST,
+    slowest=SLOWEST_PRINTED,
+)
+
+MENDED = VelocityRules(
+    body=BODY,
+    pull=PULL,
+    normal=NORMAL,
+    coefficient=COEFFICIENT,
+    friction=FRICTION,
+    drag=DRAG,
+    fastest=FASTEST,
+    slowest=SLOWEST,
+)
 
 
 @dataclass(frozen=True)
@@ -28,6 +65,7 @@ class Profile:
     rules: Rules
     push_limit: Callable[[int], int]
     tick_order: Callable[[Sequence[str]], Sequence[str]]
+    velocity: VelocityRules = PRINTED
 
     kind = "profile"
 
@@ -74,6 +112,7 @@ class SteppedProfile:
     sentence: str
     source: str
     rules: StepRules
+    velocity: VelocityRules = MENDED
 
     kind = "profile"
 
