@@ -70,6 +70,9 @@ class PlaceRecord(Record, frozen=True):
     name: Annotated[Name, says("whose place it is")]
     left: Annotated[Position, says("where its left border is")]
     right: Annotated[Position, says("where its right border is")]
+    velocity: Annotated[
+        Number | None, says("the velocity that it has then, if it has one of its own, as in the level")
+    ] = None
 
 
 class LineRecord(Record, frozen=True, kw_only=True):
