@@ -207,13 +207,15 @@ def state_after(level: Level[Fraction], line: LineRecord) -> World[Fraction]:
 
 
 def motion_after(body: Body[Fraction], velocity: Any, place: str) -> Motion[Fraction] | None:
-    """The motion of a body with the velocity that a line says it has; with the one it had, if it says nothing.
+    """The motion of a body with the velocity that a line says it has.
 
     Raises:
-        LevelError: if it has none, or what the line says is no number.
+        LevelError: if the body has none, or the line does not say a number where it has.
     """
-    if velocity is None:
-        return body.motion
     if body.motion is None:
-        raise LevelError(place, f"expected none: {body.name!r} has no velocity of its own")
+        if velocity is not None:
+            raise LevelError(place, f"expected none: {body.name!r} has no velocity of its own")
+        return None
+    if velocity is None:
+        raise LevelError(place, f"expected the velocity of {body.name!r}, which moves of its own")
     return replace(body.motion, velocity=exact(velocity, place))

@@ -71,7 +71,8 @@ class PlaceRecord(Record, frozen=True):
     left: Annotated[Position, says("where its left border is")]
     right: Annotated[Position, says("where its right border is")]
     velocity: Annotated[
-        Number | None, says("the velocity that it has then, if it has one of its own, as in the level")
+        Number | None,
+        says("its velocity then, in units of length per second; needed of a body that has one of its own in the level"),
     ] = None
 
 
