@@ -32,8 +32,8 @@ def with_numbers(page: str) -> str:
 
 def numbers() -> Iterator[str]:
     """All tables, each with what it shows."""
-    yield "\n**P1.** A body is shot up a slope at 5 m/s, with a coefficient of 0.8 and gravity 9.81, in ticks of 20 ms. How"
-    yield f"far up it is after {SECONDS} s, in metres:\n"
+    yield "\n**P1.** A body is shot up a slope at 5 m/s, with a coefficient of 0.8 and gravity 9.81, in ticks of 20 ms."
+    yield f"How far up it is after {SECONDS} s, in metres:\n"
     yield table(("slope", "degrees", "printed", "mended", "difference"), shots())
     yield "**P2.** The steepest slope on which a body rests, in degrees:\n"
     yield table(("coefficient", "printed: sin <= mu / (1 + mu)", "mended: tan <= mu"), rests())
