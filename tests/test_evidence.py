@@ -59,6 +59,7 @@ FLOORS_OF_VERDICTS = {
         carried-clear carried-clear/overshoot no-short-pit no-short-pit-heights no-overhang-from-body no-tunnel
         no-fall-onto-middle no-sharp-ledge no-fall-off-body no-landing-does-not-fit
         rest-on-slopes friction-by-the-cosine printed-drag-by-the-way minimum-lets-begin
+        no-higher-through-a-valley
     """,
 }
 
