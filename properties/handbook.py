@@ -162,7 +162,7 @@ def linked(fact: Fact) -> str:
 
 def picture(one: Statement, shown: dict[str, ClaimResult], to: Path) -> Iterator[str]:
     """The picture of a rule where it fires, or of a claim by its witness."""
-    if isinstance(one, Rule):
+    if isinstance(one, Rule) and one.id in firings():
         found = firings()[one.id]
         drawn, name = strip(recording(found.path), found.step - 1, found.step), picture_of(found)
         text = f"{one.id} in {found.path.stem}"
