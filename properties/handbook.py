@@ -48,6 +48,7 @@ PAGES = (
         ("condition", "guideline", "unsupported"),
     ),
     Page("differences.md", "Differences", "Why `repaired` ends otherwise than `thesis`.", ("difference",)),
+    Page("designs.md", "Designs", "How else bodies could be represented.", ("design",)),
     Page("models.md", "Models", "What the level, the graph and time are.", ("model",)),
 )
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Protocol
 
 from spec.conditions import CONDITIONS
+from spec.designs import DESIGNS
 from spec.differences import DIFFERENCES
 from spec.display import DISPLAY_RULES, OF_DISPLAY
 from spec.guidelines import GUIDELINES
@@ -65,7 +66,7 @@ def statements() -> dict[str, Statement]:
     everything: list[Statement] = [*PROFILES.values(), *rules, *MODELS, *OF_ONE_REQUEST, *RELATIONS, *IN_PLANE]
     everything += [*OF_ONE_STEP, *STEP_RELATIONS, *CONDITIONS, *GUIDELINES, *READINGS, *CASES, *RECORDED]
     everything += DIFFERENCES
-    everything += [*DISPLAY_RULES, *OF_DISPLAY]
+    everything += [*DISPLAY_RULES, *OF_DISPLAY, *DESIGNS]
     table: dict[str, Statement] = {}
     for statement in everything:
         if table.setdefault(statement.id, statement) is not statement:

@@ -40,12 +40,13 @@ FLOORS_OF_VERDICTS = {
         supports-end/overshoot never-raised/overshoot height-kept/overshoot
         step-margin step-terrain step-support step-seat step-order step-motion step-not-raised step-bystanders
         step-progress step-squeezed step-one-key step-instants step-split step-mirror whole-steps requests-end-alike
+        designs-agree designs-agree-on-rings
     """,
     TESTED: """
         rule-count invariants-judge
         queries-of-a-push queries-at-transitions long-strings walls-reached-exactly every-rule-fires
         step-body-order step-riders step-furthest differences-have-causes witnesses-mended
-        falls-end cuts-do-not-matter display-rules-fire circles-are-even
+        falls-end cuts-do-not-matter display-rules-fire circles-are-even designs-cost margins-are-for-floats
     """,
     REFUTED: """
         no-overlap-on-short-edges pushing-on-short-edges split-anywhere additive-on-any-ring
@@ -54,7 +55,7 @@ FLOORS_OF_VERDICTS = {
         jump-clear-of-riders jump-clear-of-riders/overshoot what-leads-up-obstructs what-leads-up-obstructs/overshoot
         carried-clear carried-clear/overshoot no-short-pit no-short-pit-heights no-overhang-from-body no-tunnel
         no-fall-onto-middle no-sharp-ledge no-fall-off-body no-landing-does-not-fit
-        frames-do-not-matter nobody-is-shown-rising
+        frames-do-not-matter nobody-is-shown-rising three-cost-as-two ledges-are-left-alike
     """,
 }
 

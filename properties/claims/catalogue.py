@@ -2,7 +2,14 @@
 
 from __future__ import annotations
 
-from properties.claims import comparison, display, ledges, repaired, string
+from properties.claims import comparison, designs, display, ledges, repaired, string
 from properties.claims.claim import Claim
 
-CLAIMS: tuple[Claim, ...] = (*string.CLAIMS, *ledges.CLAIMS, *repaired.CLAIMS, *comparison.CLAIMS, *display.CLAIMS)
+CLAIMS: tuple[Claim, ...] = (
+    *string.CLAIMS,
+    *ledges.CLAIMS,
+    *repaired.CLAIMS,
+    *comparison.CLAIMS,
+    *display.CLAIMS,
+    *designs.CLAIMS,
+)
