@@ -13,6 +13,7 @@ from pathlib import Path
 from shutil import copyfile, rmtree
 
 from properties.claims.claim import Claim
+from properties.designs_page import with_costs
 from properties.evidence.files import RESULTS, RESULTS_LONG
 from properties.evidence.sources import sources
 from properties.explain import Fact, Firing, everything, facts, firings, witness_of
@@ -116,6 +117,8 @@ def write_handbook(docs: Path) -> int:
     (to / "README.md").write_text("\n".join(index(table)) + "\n")
     formats = docs / "formats.md"
     formats.write_text(with_tables(formats.read_text()))
+    designs = docs / "designs.md"
+    designs.write_text(with_costs(designs.read_text()))
     return len(table)
 
 

@@ -40,13 +40,13 @@ FLOORS_OF_VERDICTS = {
         supports-end/overshoot never-raised/overshoot height-kept/overshoot
         step-margin step-terrain step-support step-seat step-order step-motion step-not-raised step-bystanders
         step-progress step-squeezed step-one-key step-instants step-split step-mirror whole-steps requests-end-alike
-        designs-agree designs-agree-on-rings
+        designs-agree designs-agree-on-rings discrete-turns discrete-turns-are-steps discrete-turns-are-steps-of-more
     """,
     TESTED: """
         rule-count invariants-judge
         queries-of-a-push queries-at-transitions long-strings walls-reached-exactly every-rule-fires
         step-body-order step-riders step-furthest differences-have-causes witnesses-mended
-        falls-end cuts-do-not-matter display-rules-fire circles-are-even designs-cost margins-are-for-floats
+        falls-end cuts-do-not-matter display-rules-fire circles-are-even nobody-drops-unseen designs-cost margins-are-for-floats
     """,
     REFUTED: """
         no-overlap-on-short-edges pushing-on-short-edges split-anywhere additive-on-any-ring

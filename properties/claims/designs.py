@@ -7,10 +7,11 @@ from typing import Any
 
 from properties.claims.claim import Claim, Count, Erratum, Obligation, Verdict
 from properties.claims.string import KEPT, LONG, STRING, name_of, of_rows
-from properties.contracts import designs
+from properties.contracts import designs, discrete
 from spec.designs import DESIGNS, ONE, THREE
+from spec.discrete import DISCRETE
 from spec.graph import Direction
-from spec.profiles import THESIS, Profile
+from spec.profiles import REPAIRED, THESIS, AnyProfile, Profile
 
 PREMISES = (STRING, KEPT, LONG)
 RIGHT = Direction.RIGHT
@@ -31,6 +32,17 @@ def counted(name: str, about: str, sentence: str, source: str, program: Callable
 def refuted(name: str, about: str, sentence: str, source: str, premises: tuple[str, ...], erratum: Erratum) -> Claim:
     """A claim that is expected to be refuted by a witness."""
     return Claim(f"claim/{name}", "errata", sentence, source, about, THESIS, premises, Verdict.REFUTED, erratum=erratum)
+
+
+def enumerated(
+    name: str, about: str, sentence: str, program: Callable[[AnyProfile], int], bodies: int, long: bool = False
+) -> Claim:
+    """A claim about the discrete sibling: all its turns up to a size are gone through."""
+    counts = (Count(name_of(program), program, bodies),)
+    source = "4.1.2, 8.0.1; O13"
+    return Claim(
+        f"claim/{name}", "designs", sentence, source, about, REPAIRED, (), Verdict.BOUNDED, counts=counts, long=long
+    )
 
 
 CLAIMS: tuple[Claim, ...] = (
@@ -101,5 +113,29 @@ CLAIMS: tuple[Claim, ...] = (
         "bodies, overlaps them by rounding alone. With a margin nobody does.",
         "4.3.2, 6.2.1; E14, A46, R24",
         designs.margins_are_for_floats,
+    ),
+    enumerated(
+        "discrete-turns",
+        "discrete",
+        "In the discrete sibling bodies are one on each vertex and stand on something, keep their order, move by one "
+        "vertex, and the one that is asked moves unless its row ends at a wall.",
+        discrete.turns_keep_the_invariants,
+        bodies=3,
+    ),
+    enumerated(
+        "discrete-turns-are-steps",
+        DISCRETE.id,
+        "A turn ends as a step of `repaired` does in which the body is driven to the next column; columns are as wide "
+        "as a body and the margin.",
+        discrete.turns_are_steps,
+        bodies=3,
+    ),
+    enumerated(
+        "discrete-turns-are-steps-of-more",
+        DISCRETE.id,
+        "Turns of more bodies, on more columns and higher ground, end as steps of `repaired` do.",
+        discrete.more_turns_are_steps,
+        bodies=4,
+        long=True,
     ),
 )

@@ -9,7 +9,7 @@ from properties.claims.claim import Claim, Count, Erratum, Obligation, Verdict
 from properties.claims.string import name_of
 from properties.contracts import display
 from properties.given import Given
-from spec.display import DISPLAYS, SHOWN_SUPPORT, SINKING, SINKING_REPAIRED
+from spec.display import DISPLAYS, SHOWN_FALLING, SHOWN_SUPPORT, SINKING, SINKING_REPAIRED
 from spec.profiles import REPAIRED, THESIS, AnyProfile
 from spec.rules.display import DisplayRules
 
@@ -126,10 +126,19 @@ CLAIMS: tuple[Claim, ...] = (
         display.every_display_rule_fires,
     ),
     counted(
+        "nobody-drops-unseen",
+        SHOWN_FALLING.id,
+        "On storeys nobody is lowered on the screen but by sinking: whoever comes down is told to fall or to jump, or "
+        "stands on one who is.",
+        "6.4.1, 1.2; R29, R33, O10",
+        display.nobody_drops_unseen,
+        REPAIRED,
+    ),
+    counted(
         "circles-are-even",
         "model/interpolation",
-        "Interpolated circularly, the distance from the origin changes evenly; between points as far from it, what "
-        "moves evenly along the edge is shown moving evenly, and faster than the chord that the graph measures.",
+        "Interpolated circularly, the distance from the origin changes evenly. Between points as far from it, and "
+        "only there, what moves evenly is shown moving evenly; it goes further than the chord that the graph measures.",
         "6.1.2; R13, A43",
         display.circles_are_even,
     ),

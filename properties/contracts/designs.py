@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from fractions import Fraction
 from itertools import product
 from random import Random
@@ -202,3 +203,29 @@ def margins_are_for_floats(profile: Profile) -> int:
         assert found > 0, f"{named}: without a margin nothing overlaps"
         assert (found > ROUNDING) == (neighbour is by_border), f"{named}: without a margin floats overlap by {found}"
     return (len(LINES) + 2 * len(FEW)) * len(WAYS)
+
+
+@dataclass(frozen=True)
+class WalkedInto:
+    """Two bodies, two requests of the first one; where it meets the other after one, and where it ends."""
+
+    a: tuple[float, float]
+    b: tuple[float, float]
+    asked: tuple[float, float]
+    right: float
+    left: float
+    end: float
+
+
+def walked_into(profile: Profile) -> WalkedInto:
+    """An example in tenths of a 2EP body that, without a margin, is walked into."""
+    a, b, asked = (0.0, 0.3), (0.4, 1.4), (0.7, 0.1)
+    held = tuple(
+        Body(name, EdgePosition(0, left), EdgePosition(0, right), 0.0, 1.0)
+        for name, (left, right) in (("A", a), ("B", b))
+    )
+    crowd = Crowd(TWO, profile, World(Level(string_graph([8.0], None), 0.0, 1.0, held)), by_border)
+    crowd.move(0, RIGHT, asked[0], MOST_RULES)
+    right, left = crowd.along(0, Part.RIGHT), crowd.along(1, Part.LEFT)
+    crowd.move(0, RIGHT, asked[1], MOST_RULES)
+    return WalkedInto(a, b, asked, right, left, crowd.along(0, Part.RIGHT))
