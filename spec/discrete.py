@@ -26,7 +26,7 @@ class Alternative:
 
 
 DISCRETE = Alternative(
-    "design/discrete",
+    "discrete/vertices",
     "A body is on a vertex, one storey of one column, on the ground of the column or on the top of another body; in a "
     "turn one body is asked to move by one vertex.",
     "4.1.2, 8.0.1; O13",

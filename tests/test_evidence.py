@@ -46,7 +46,8 @@ FLOORS_OF_VERDICTS = {
         rule-count invariants-judge
         queries-of-a-push queries-at-transitions long-strings walls-reached-exactly every-rule-fires
         step-body-order step-riders step-furthest differences-have-causes witnesses-mended
-        falls-end cuts-do-not-matter display-rules-fire circles-are-even nobody-drops-unseen designs-cost margins-are-for-floats
+        falls-end cuts-do-not-matter display-rules-fire circles-are-even nobody-drops-unseen
+        designs-cost margins-are-for-floats
     """,
     REFUTED: """
         no-overlap-on-short-edges pushing-on-short-edges split-anywhere additive-on-any-ring

@@ -233,8 +233,8 @@ PARTS = [part / 8 for part in range(9)]
 
 
 def circles_are_even(profile: AnyProfile) -> int:
-    """From end to end, the distance from the origin changes by equal parts. Between points as far from it the way goes by
-    equal parts too, which together are longer than the chord that the graph measures; between others it does not.
+    """From end to end, the distance from the origin changes by equal parts. Between points as far from it, and only
+    there, the way goes by equal parts too. Together they are longer than the chord that the graph measures.
     """
     pairs = list(arcs())
     for start, end in pairs:
