@@ -55,6 +55,11 @@ class Design:
 
     kind = "design"
 
+    @property
+    def name(self) -> str:
+        """Its name, as in 2ep."""
+        return self.id.removeprefix("design/")
+
     def followers(self, direction: Direction) -> tuple[Part, ...]:
         """The positions that follow the leader."""
         return tuple(part for part in self.stored if part is not self.leader(direction))

@@ -66,6 +66,7 @@ REFUSED = {
     "no-overlap-on-short-edges": WIDTH,
     "pushing-on-short-edges": WIDTH,
     "split-anywhere": WIDTH,
+    "three-cost-as-two": WIDTH,
     "no-fall-onto-middle": STEPS,
     "no-sharp-ledge": STEPS,
     "no-tunnel": STEPS,

@@ -146,6 +146,7 @@ def designs_cost(profile: Profile) -> int:
 def three_cost_as_two(profile: Profile, given: Given, stage: Stage) -> None:
     """A move costs as much under 3EP as under 2EP."""
     held, asked = stage.set(any_level(given, bodies=1, edges=1, closed=False)), given.number("distance asked")
+    given.assume(asked > 0, "it is asked for more than 0")
     stage.steps.append(("A", asked))
     crowds = [Crowd(design, profile, held) for design in (TWO, THREE)]
     for crowd in crowds:
@@ -176,30 +177,41 @@ WAYS: tuple[tuple[Design, Neighbour], ...] = (
 """Designs, each with a way to find who is ahead: by the order, or among the positions that collide."""
 
 
-def deepest_overlap(profile: Profile, design: Design, neighbour: Neighbour, kind: Any, margin: Any, seed: int) -> Any:
-    """How far neighbours come to overlap in a few random requests on a random line; 0 if they do not."""
+@dataclass(frozen=True)
+class Ends:
+    """Where bodies are after some requests on a line, and how far neighbours came to overlap at most."""
+
+    lefts: list[Any]
+    overlap: Any
+
+
+def play_line(profile: Profile, design: Design, neighbour: Neighbour, kind: Any, margin: Any, seed: int) -> Ends:
+    """A few random requests on a random line; the same ones for the same seed."""
     draw = Random(seed)
     world = World(random_level(draw, kind, margin, closed=False))
-    crowd, deepest = Crowd(design, profile, world, neighbour), kind(0)
+    crowd, overlap = Crowd(design, profile, world, neighbour), kind(0)
     for _ in range(6):
         body, direction = draw.randrange(len(world.bodies)), draw.choice(list(Direction))
         crowd.move(body, direction, kind(draw.randrange(1, 40)) / 10, MOST_RULES)
         for left, right in world.neighbours():
-            deepest = max(deepest, crowd.along(left, Part.RIGHT) - crowd.along(right, Part.LEFT))
-    return deepest
+            overlap = max(overlap, crowd.along(left, Part.RIGHT) - crowd.along(right, Part.LEFT))
+    return Ends([crowd.along(body, Part.LEFT) for body in world.handles()], overlap)
 
 
 def margins_are_for_floats(profile: Profile) -> int:
-    """Without a margin nobody overlaps in exact numbers; in floats, one who is looked for by a border is walked into,
-    and one who is looked for by order or by a centre is overlapped by no more than rounding; with a margin nobody is.
+    """Without a margin nobody overlaps in exact numbers, and all end alike; in floats, one who is looked for by a
+    border is walked into, and one who is looked for by order or by a centre is overlapped by no more than rounding;
+    with a margin nobody is.
     """
+    alike = [play_line(profile, TWO, by_order, Fraction, Fraction(0), seed) for seed in FEW]
     for design, neighbour in WAYS:
         named = f"{design.id}, {neighbour.__name__.replace('_', ' ')}"
-        exact = [deepest_overlap(profile, design, neighbour, Fraction, Fraction(0), seed) for seed in FEW]
-        assert max(exact) == 0, f"{named}: exact numbers overlap by {max(exact)}"
-        kept = [deepest_overlap(profile, design, neighbour, float, 0.125, seed) for seed in FEW]
-        assert max(kept) == 0, f"{named}: with a margin floats overlap by {max(kept)}"
-        found = max(deepest_overlap(profile, design, neighbour, float, 0.0, seed) for seed in LINES)
+        exact = [play_line(profile, design, neighbour, Fraction, Fraction(0), seed) for seed in FEW]
+        assert exact == alike, f"{named}: without a margin exact numbers end otherwise"
+        assert not any(ends.overlap for ends in exact), f"{named}: without a margin exact numbers overlap"
+        kept = max(play_line(profile, design, neighbour, float, 0.125, seed).overlap for seed in FEW)
+        assert kept == 0, f"{named}: with a margin floats overlap by {kept}"
+        found = max(play_line(profile, design, neighbour, float, 0.0, seed).overlap for seed in LINES)
         assert found > 0, f"{named}: without a margin nothing overlaps"
         assert (found > ROUNDING) == (neighbour is by_border), f"{named}: without a margin floats overlap by {found}"
     return (len(LINES) + 2 * len(FEW)) * len(WAYS)
