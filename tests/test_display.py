@@ -129,3 +129,13 @@ def test_the_display_of_every_scenario_never_goes_below_its_state():
         slow = frames(recording(path), DISPLAYS[found.header.profile], Speeds(Fraction(1), Fraction(1)))
         for real, smooth in zip(states, slow, strict=True):
             assert all(smooth[name].y >= real[name].y and smooth[name].x == real[name].x for name in real), path
+
+
+def test_the_program_on_the_page_runs(monkeypatch, capsys):
+    root = LIBRARY.parent
+    monkeypatch.chdir(root)
+    code = (root / "docs" / "display.md").read_text().split("```python\n")[1].split("```")[0]
+    exec(compile(code, "display.md", "exec"), {})
+    lines = capsys.readouterr().out.splitlines()
+    assert len(lines) == 1 + 5 * 4
+    assert lines[-1] == "{'Left': ('34/5', '9/10', -37), 'Right': ('74/5', '3/5', 37)}"
