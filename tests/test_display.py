@@ -2,12 +2,16 @@
 
 from dataclasses import replace
 from fractions import Fraction
+from functools import partial
 from itertools import pairwise
 
 import pytest
 
+from properties.claims.display import CLAIMS
 from properties.contracts import display
+from properties.contracts.request import judged
 from properties.engine.explore import explore
+from properties.evidence.mutants.rules import effect_mutants, guard_mutants
 from reference.display import Speeds, angle_of, frames
 from reference.play import LIBRARY
 from reference.recording import recording
@@ -64,6 +68,21 @@ def broken_by(rules):
 def test_a_wrong_rule_of_the_display_is_caught_by_name(family, rule, effect, broken):
     found = broken_by(wrong(family, rule, effect))
     assert broken.items() <= found.items()
+
+
+def changes():
+    """Every guard of the display without or with the opposite of a conjunct, every effect replaced by another."""
+    families = (THESIS_DISPLAY.vertical, THESIS_DISPLAY.across, THESIS_DISPLAY.rotation)
+    guards = [mutant for family in families for rule in family.rules for mutant in guard_mutants(rule)]
+    return [*guards, *(mutant for family in families for mutant in effect_mutants(family))]
+
+
+@pytest.mark.parametrize("mutant", changes(), ids=lambda mutant: f"{mutant.subject} {mutant.change}")
+def test_a_proof_notices_every_change_of_a_guard_or_an_effect(mutant):
+    obligations = [(one, claim.profile) for claim in CLAIMS for one in claim.obligations]
+    with mutant.in_place():
+        outcomes = (explore(partial(judged, one.program, profile)) for one, profile in obligations)
+        assert any(outcome.counterexample is not None for outcome in outcomes)
 
 
 def test_two_rules_that_apply_are_caught():

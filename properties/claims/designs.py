@@ -3,23 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
 
 from properties.claims.claim import Claim, Count, Erratum, Obligation, Verdict
 from properties.claims.string import KEPT, LONG, STRING, name_of, of_rows
 from properties.contracts import designs, discrete
-from spec.designs import DESIGNS, ONE, THREE
+from spec.designs import DESIGNS, ONE, THREE, Design
 from spec.discrete import DISCRETE
 from spec.graph import Direction
 from spec.profiles import REPAIRED, THESIS, AnyProfile, Profile
 
 PREMISES = (STRING, KEPT, LONG)
-RIGHT = Direction.RIGHT
 
 
-def alike(design: Any, bodies: int, edges: int, closed: bool, mover: int, direction: Direction) -> Obligation:
-    """A design moves bodies as the rules do, on strings of a size."""
-    more = {"design": design, "mover": mover, "direction": direction}
+def alike(design: Design, bodies: int, edges: int, closed: bool, mover: int) -> Obligation:
+    """A design moves bodies to the right as the rules do, on strings of a size."""
+    more = {"design": design, "mover": mover, "direction": Direction.RIGHT}
     return of_rows(designs.designs_agree, bodies, edges, closed, KEPT, LONG, **more)
 
 
@@ -56,11 +54,10 @@ CLAIMS: tuple[Claim, ...] = (
         premises=PREMISES,
         expected=Verdict.BOUNDED,
         obligations=tuple(
-            alike(design, bodies, edges, False, mover, direction)
-            for design in (ONE, THREE)
+            alike(design, bodies, edges, False, mover)
+            for design in DESIGNS
             for bodies, edges in ((1, 2), (2, 1), (3, 1))
             for mover in range(bodies)
-            for direction in (Direction if bodies == 1 else (RIGHT,))
         ),
         counts=(Count("designs/random-rows", designs.designs_agree_on_random_rows),),
     ),
@@ -74,7 +71,7 @@ CLAIMS: tuple[Claim, ...] = (
         premises=PREMISES,
         expected=Verdict.BOUNDED,
         obligations=tuple(
-            alike(design, 2, edges, closed, mover, RIGHT)
+            alike(design, 2, edges, closed, mover)
             for design in DESIGNS
             for edges, closed in ((2, False), (1, True))
             for mover in range(2)

@@ -22,7 +22,7 @@ from spec.graph import Direction, Vertex, polyline
 from spec.profiles import Profile
 
 ROWS, RINGS, ROUNDING = 60, 0.4, 1e-9
-LINES, FEW = range(100), range(20)
+LINES, FEW = range(60), range(12)
 
 PRINTED: dict[str, tuple[Cost, Cost]] = {
     "design/1ep": (Cost(1), Cost(0, 1, 1)),
