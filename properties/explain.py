@@ -153,13 +153,15 @@ def said(thing: Any) -> str:
 
 
 def of_rule(rule: Rule[Any, Any]) -> Iterator[Fact]:
-    """Guard, effect, event and a scenario in which the rule fires."""
+    """Guard, effect, event and a scenario in which the rule fires; one that moves no body fires in none."""
     for conjunct in rule.guard:
         yield Fact("guard", f"{conjunct.__name__}: {said(conjunct)}")
     yield Fact("effect", f"{rule.effect.__name__}: {said(rule.effect)}")
     if rule.event is not None:
         yield Fact("event", rule.event)
-    found = firings()[rule.id]
+    found = firings().get(rule.id)
+    if found is None:
+        return
     asked = f"{found.move.body} asked {found.move.asked}, moved {found.move.moved}"
     yield Fact("fires in", f"{found.path.stem}, step {found.step} ({asked}), for {found.body}")
     yield replay(found.path)

@@ -13,6 +13,7 @@ from pathlib import Path
 from shutil import copyfile, rmtree
 
 from properties.claims.claim import Claim
+from properties.designs_page import with_costs
 from properties.evidence.files import RESULTS, RESULTS_LONG
 from properties.evidence.sources import sources
 from properties.explain import Fact, Firing, everything, facts, firings, witness_of
@@ -49,6 +50,7 @@ PAGES = (
         ("condition", "guideline", "unsupported"),
     ),
     Page("differences.md", "Differences", "Why `repaired` ends otherwise than `thesis`.", ("difference",)),
+    Page("designs.md", "Designs", "How else bodies could be represented.", ("design",)),
     Page("models.md", "Models", "What the level, the graph and time are.", ("model",)),
 )
 
@@ -118,6 +120,8 @@ def write_handbook(docs: Path) -> int:
     formats.write_text(with_tables(formats.read_text()))
     physics = docs / "physics.md"
     physics.write_text(with_numbers(physics.read_text()))
+    designs = docs / "designs.md"
+    designs.write_text(with_costs(designs.read_text()))
     return len(table)
 
 
@@ -165,7 +169,7 @@ def linked(fact: Fact) -> str:
 
 def picture(one: Statement, shown: dict[str, ClaimResult], to: Path) -> Iterator[str]:
     """The picture of a rule where it fires, or of a claim by its witness."""
-    if isinstance(one, Rule):
+    if isinstance(one, Rule) and one.id in firings():
         found = firings()[one.id]
         drawn, name = strip(recording(found.path), found.step - 1, found.step), picture_of(found)
         text = f"{one.id} in {found.path.stem}"

@@ -6,7 +6,10 @@ from collections.abc import Iterable
 from typing import Protocol
 
 from spec.conditions import CONDITIONS
+from spec.designs import DESIGNS
 from spec.differences import DIFFERENCES
+from spec.discrete import DISCRETE, DISCRETE_INVARIANTS, DISCRETE_RULES
+from spec.display import DISPLAY_RULES, OF_DISPLAY
 from spec.guidelines import GUIDELINES
 from spec.invariants import OF_ONE_REQUEST, RELATIONS
 from spec.models import MODELS, OF_GRAPHS, OF_STOREYS as MODELS_OF_STOREYS
@@ -76,6 +79,7 @@ def statements() -> dict[str, Statement]:
     everything: list[Statement] = [*PROFILES.values(), *rules, *MODELS, *OF_ONE_REQUEST, *RELATIONS, *IN_PLANE]
     everything += [*OF_ONE_STEP, *STEP_RELATIONS, *CONDITIONS, *GUIDELINES, *READINGS, *CASES, *RECORDED]
     everything += DIFFERENCES
+    everything += [*DISPLAY_RULES, *OF_DISPLAY, *DESIGNS, DISCRETE, *DISCRETE_RULES, *DISCRETE_INVARIANTS]
     table: dict[str, Statement] = {}
     for statement in everything:
         if table.setdefault(statement.id, statement) is not statement:

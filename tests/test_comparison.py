@@ -67,6 +67,7 @@ REFUSED = {
     "no-overlap-on-short-edges": WIDTH,
     "pushing-on-short-edges": WIDTH,
     "split-anywhere": WIDTH,
+    "three-cost-as-two": WIDTH,
     "no-fall-onto-middle": STEPS,
     "no-sharp-ledge": STEPS,
     "no-tunnel": STEPS,

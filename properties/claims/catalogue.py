@@ -2,7 +2,15 @@
 
 from __future__ import annotations
 
-from properties.claims import comparison, ledges, repaired, string, velocity
+from properties.claims import comparison, designs, display, ledges, repaired, string, velocity
 from properties.claims.claim import Claim
 
-CLAIMS: tuple[Claim, ...] = (*string.CLAIMS, *ledges.CLAIMS, *repaired.CLAIMS, *comparison.CLAIMS, *velocity.CLAIMS)
+CLAIMS: tuple[Claim, ...] = (
+    *string.CLAIMS,
+    *ledges.CLAIMS,
+    *repaired.CLAIMS,
+    *comparison.CLAIMS,
+    *velocity.CLAIMS,
+    *display.CLAIMS,
+    *designs.CLAIMS,
+)

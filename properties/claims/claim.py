@@ -45,10 +45,14 @@ class Obligation:
 
 @dataclass(frozen=True)
 class Count:
-    """An exact count over many worlds: a function that returns the number of cases, or raises AssertionError."""
+    """An exact count over many worlds: a function that returns the number of cases, or raises AssertionError.
+
+    `bodies` is up to how many bodies it goes through all worlds that there are, if it does.
+    """
 
     id: str
     program: Callable[[Any], int]
+    bodies: int | None = None
 
 
 @dataclass(frozen=True)
