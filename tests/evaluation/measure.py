@@ -1,0 +1,255 @@
+"""All that a run measures, as tables: once of graphbodies, once of Box2D, once of both beside each other."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import replace
+from fractions import Fraction
+from itertools import islice, product
+from statistics import median
+from time import process_time_ns
+
+from evaluation import graphbodies
+from evaluation.cases import (
+    BOXES_AT_WALL,
+    BOXES_IN_ROW,
+    BOXES_PUSHED,
+    FITTED,
+    FLAT,
+    FREE,
+    FRICTION_AT_WALL,
+    IN_SCENE,
+    LAID_DOWN,
+    PUSHING,
+    RUBBING,
+    SHOWN,
+    SPEEDS_AT_WALL,
+    STEEPNESS_BY,
+    TICK,
+    TICKS,
+    TICKS_AT_WALL,
+    TICKS_ON_FLAT,
+    UNITY,
+    Slide,
+)
+from evaluation.gravity import GUESSES, fit
+from evaluation.graphbodies import IN_REPAIRED, IN_THESIS, MENDED, PRINTED, SCANNING, VELOCITY
+from evaluation.tables import Engine, Line, Table, joined
+
+Slider = Callable[[Slide, int], Sequence[float]]
+
+NOTED, NOTED_ON_FLAT = 5, 15
+"""Every how many ticks a place is noted."""
+
+TIMED = 9
+"""How often what is timed is run."""
+
+EDGES = {"one edge": Fraction(250), "edges of 8": Fraction(8), "edges of 5/4": Fraction(5, 4)}
+"""On the last, boxes in contact all pass on to the next edge in the same tick."""
+
+
+def sliders() -> Iterator[tuple[Engine, float, Slider]]:
+    """Graphbodies that slide, with gravity."""
+    for engine, gravity in ((PRINTED, UNITY), (PRINTED, FITTED), (MENDED, UNITY)):
+
+        def run(slide: Slide, ticks: int, engine: Engine = engine, gravity: float = gravity) -> Sequence[float]:
+            return graphbodies.slide(VELOCITY[engine], slide, ticks, gravity)
+
+        yield engine, gravity, run
+
+
+def about(engine: Engine, run: Slide, **values: str | float) -> Line:
+    """A line about a slide."""
+    return engine.line(run.name, degrees=run.degrees, friction=run.friction, speed=run.speed, **values)
+
+
+def tracks(engine: Engine, gravity: float, slider: Slider) -> Iterator[Table]:
+    """Where a body is, time and again (figures 6.10 and 6.11)."""
+    for name, runs, every, ticks in (("slope", FREE, NOTED, TICKS), ("flat", SHOWN, NOTED_ON_FLAT, TICKS_ON_FLAT // 2)):
+        lines = []
+        for run in runs:
+            places = slider(run, ticks)
+            noted = {f"{tick * TICK:.1f}": places[tick - 1] for tick in range(every, ticks + 1, every)}
+            lines.append(about(engine, run, gravity=gravity, **noted))
+        yield Table(name, lines)
+
+
+def ends(engine: Engine, slider: Slider) -> Table:
+    """Where a body is in the end: on slopes with friction after two seconds, on the flat when it has stopped."""
+    runs = [*((run, TICKS) for run in RUBBING), *((run, TICKS_ON_FLAT) for run in FLAT)]
+    return Table("ends", [about(engine, run, end=slider(run, ticks)[-1]) for run, ticks in runs])
+
+
+def holds(engine: Engine, rests: Callable[[float, float], bool]) -> Table:
+    """The steepest slope on which a body at rest stays at rest (E3)."""
+    lines = []
+    for friction in LAID_DOWN:
+        low, high = 0, round(90 / STEEPNESS_BY)
+        while high - low > 1:
+            middle = (low + high) // 2
+            low, high = (middle, high) if rests(middle * STEEPNESS_BY, friction) else (low, middle)
+        lines.append(engine.line(f"at rest, friction {friction:g}", friction=friction, degrees=low * STEEPNESS_BY))
+    return Table("rest", lines)
+
+
+def at_wall(engine: Engine, boxes: int, speed: float, places: Iterator[Sequence[float | Fraction]]) -> Line:
+    """How much any body moves to and fro while boxes are pushed into a wall (E6), in millimetres if a unit is 1 m."""
+    last = list(islice(places, TICKS_AT_WALL))[-TICKS:]
+    jitter = max(float(max(track) - min(track)) for track in zip(*last, strict=True))
+    return engine.line(f"{boxes} boxes into a wall, {speed} m/s", boxes=boxes, speed=speed, jitter=1000 * jitter)
+
+
+def pushing(
+    engine: Engine, boxes: int, friction: float, speed: float, places: Iterator[Sequence[float | Fraction]]
+) -> Line:
+    """The mean speed, over a second, of a character whose velocity is set in every tick (E7)."""
+    track = [tick[0] for tick in islice(places, TICKS)]
+    found = float((track[-1] - track[TICKS // 2 - 1]) / (TICKS // 2)) / TICK
+    run = f"{boxes} boxes pushed on, friction {friction:g}, {speed:g} m/s"
+    return engine.line(run, boxes=boxes, friction=friction, speed=speed, mean=found)
+
+
+def of_graphbodies() -> Iterator[Table]:
+    """All that is measured of graphbodies."""
+    for engine, gravity, slider in sliders():
+        yield from tracks(engine, gravity, slider)
+        if gravity == UNITY:
+            yield ends(engine, slider)
+    for engine, rules in VELOCITY.items():
+        yield holds(engine, lambda degrees, friction, rules=rules: graphbodies.rests(rules, degrees, friction))
+    yield Table("wall", list(lines_at_wall(BOXES_AT_WALL)))
+    yield Table("constant", list(lines_of_pushing()))
+    yield Table("row", list(lines_of_row()))
+    yield Table("scene", list(lines_of_scene(IN_SCENE)))
+
+
+def lines_at_wall(numbers: Iterable[int]) -> Iterator[Line]:
+    """Graphbodies that are pushed into a wall."""
+    for boxes, speed in product(numbers, SPEEDS_AT_WALL):
+        for engine, game in graphbodies.games(graphbodies.before_wall(boxes, speed)).items():
+            yield at_wall(engine, boxes, speed, graphbodies.pushed(game))
+
+
+def lines_of_pushing() -> Iterator[Line]:
+    """Graphbodies that are pushed on; they have no friction while a character pushes them."""
+    for boxes, (friction, speed) in product(BOXES_PUSHED, PUSHING):
+        for engine, game in graphbodies.games(graphbodies.in_contact(boxes, speed)).items():
+            yield pushing(engine, boxes, friction, speed, graphbodies.pushed(game))
+
+
+def lines_of_row() -> Iterator[Line]:
+    """The work of each tick while a character picks up boxes (figure 7.1)."""
+    for name, edge in EDGES.items():
+        for engine, game in graphbodies.games(graphbodies.picking_up(BOXES_IN_ROW, edge)).items():
+            counted = COUNTED[engine]
+            for tick in range(1, TICKS + 1):
+                (move,) = graphbodies.tick(game)
+                work = {"boxes": move.depth - 1, "work": move.work[counted]}
+                yield engine.line(name, counted=counted, seconds=tick * TICK, **work)
+
+
+COUNTED = {IN_THESIS: "queries", IN_REPAIRED: "choices"}
+"""What is counted as work: collision queries, or choices of a rule."""
+
+
+def lines_of_scene(numbers: Iterable[int]) -> Iterator[Line]:
+    """The work of the movement step after a second (figure 7.2)."""
+    for boxes in numbers:
+        start, name = graphbodies.after_a_second(boxes), f"{boxes} boxes in the scene"
+        for engine, (counted, step) in graphbodies.steps(start).items():
+            pushed, work = step()
+            yield engine.line(name, counted=counted, boxes=boxes, pushed=pushed, work=work)
+
+
+def of_box2d() -> Iterator[Table]:
+    """All that is measured of Box2D."""
+    from evaluation import rigid
+
+    yield from tracks(rigid.BOX2D, UNITY, rigid.slide)
+    yield ends(rigid.BOX2D, rigid.slide)
+    yield holds(rigid.BOX2D, rigid.rests)
+    at = product(BOXES_AT_WALL, SPEEDS_AT_WALL)
+    walls = ((boxes, speed, rigid.pushed(boxes, FRICTION_AT_WALL, speed, wall=True)) for boxes, speed in at)
+    yield Table("wall", [at_wall(rigid.BOX2D, *one) for one in walls])
+    on = ((boxes, friction, speed) for boxes, (friction, speed) in product(BOXES_PUSHED, PUSHING))
+    pushed = ((*one, rigid.pushed(*one, wall=False)) for one in on)
+    yield Table("constant", [pushing(rigid.BOX2D, *one) for one in pushed])
+
+
+def compared() -> Iterator[tuple[Slide, int, bool]]:
+    """What is compared tick by tick: runs, for how many ticks, and whether the box may turn."""
+    yield from ((run, TICKS, True) for run in FREE)
+    yield from ((run, TICKS, turning) for run in RUBBING for turning in (True, False))
+    yield from ((run, TICKS_ON_FLAT, True) for run in FLAT)
+
+
+def beside(run: Slide, ticks: int, turning: bool) -> Iterator[Line]:
+    """How far graphbodies are from a box of Box2D, at most."""
+    from evaluation.rigid import Settings, slide
+
+    box = slide(run, ticks, Settings(turning=turning))
+    for engine, gravity, slider in sliders():
+        if gravity == UNITY or run in FREE:
+            furthest = max(abs(a - b) for a, b in zip(slider(run, ticks), box, strict=True))
+            yield about(engine, run, gravity=gravity, turning=turning, furthest=furthest)
+
+
+def of_both() -> Iterator[Table]:
+    """How far graphbodies are from the boxes of Box2D, at most, and which gravity would fit best."""
+    from evaluation.rigid import BOX2D, Settings, slide
+
+    lines = [line for run, ticks, turning in compared() for line in beside(run, ticks, turning)]
+    yield Table("differences", lines)
+    lines = []
+    for guess, run in product(GUESSES, FREE):
+        settings = Settings(**guess.settings)
+        found = fit(guess, run, slide(replace(run, friction=guess.rubbing), guess.ticks, settings))
+        errors = {f"error at {gravity:g}": found.error(gravity) for gravity in (UNITY, FITTED)}
+        values = {"best": found.best, "error": found.error(found.best), **errors}
+        lines.append(about(BOX2D, run, guess=guess.name, **values))
+    yield Table("gravity", lines)
+
+
+def measured() -> list[Table]:
+    """All tables of a run but that of times."""
+    return joined([*of_graphbodies(), *of_box2d(), *of_both()])
+
+
+def times() -> Table:
+    """How long movement steps take, in microseconds of the processor: the median of some runs (figures 7.1 and 7.2)."""
+    lines = [*times_of_row(), *times_of_scene()]
+    return Table("times", lines)
+
+
+def times_of_row() -> Iterator[Line]:
+    """The time of each tick while a character picks up boxes, one after another."""
+    for name in ("one edge", "edges of 5/4"):
+        start = graphbodies.picking_up(BOXES_IN_ROW, EDGES[name])
+        played = [games_timed(graphbodies.games(start)[IN_THESIS]) for _ in range(TIMED)]
+        for tick, found in enumerate(zip(*played, strict=True), start=1):
+            boxes = found[0][0]
+            values = {"seconds": tick * TICK, "boxes": boxes, "microseconds": median(one[1] for one in found)}
+            yield IN_THESIS.line(name, **values)
+
+
+def games_timed(game: graphbodies.AnyGame) -> list[tuple[int, float]]:
+    """For each tick how many boxes are pushed, and its time."""
+    ticks = (timed(lambda: graphbodies.tick(game)[0].depth - 1) for _ in range(TICKS))
+    return list(ticks)
+
+
+def times_of_scene() -> Iterator[Line]:
+    """The time of the movement step after a second, with more and more boxes in the scene."""
+    for boxes in IN_SCENE:
+        start = graphbodies.after_a_second(boxes)
+        for engine in graphbodies.steps(start):
+            found = [timed(lambda step=graphbodies.steps(start)[engine][1]: step()[0]) for _ in range(TIMED)]
+            values = {"seconds": 1, "boxes": boxes, "microseconds": median(one[1] for one in found)}
+            yield engine.line("boxes in the scene", **values)
+
+
+def timed(step: Callable[[], int]) -> tuple[int, float]:
+    """What a step says, and how long it takes."""
+    before = process_time_ns()
+    found = step()
+    return found, (process_time_ns() - before) / 1000
