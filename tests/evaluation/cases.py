@@ -16,6 +16,7 @@ TICKS = 100
 TICKS_ON_FLAT = 600
 """After how many ticks the last body on the flat has stopped."""
 
+
 @dataclass(frozen=True)
 class Slide:
     """A box that is set to a speed up a slope, or along the flat, and then slides."""
@@ -53,17 +54,19 @@ LAID_DOWN = tuple(tenths / 10 for tenths in range(1, 10))
 STEEPNESS_BY = 0.1
 """By how many degrees slopes grow on which a box is laid down at rest."""
 
-BOXES_AT_WALL = range(1, 21)
-SPEEDS_AT_WALL = (2, 5)
-FRICTION_AT_WALL = 0.4
-"""How many boxes are pushed into a wall, how fast, and with which friction, which is Unity's default (E6)."""
+BOXES_AT_WALL = (1, 2, 3, 4, 5, 6, 8, 10, 12, 15, 20)
+AT_WALL = ((0.4, 2), (0.4, 5), (0, 5))
+"""How many boxes are pushed into a wall, and with which friction and speed; 0.4 is Unity's default (E6)."""
 
-TICKS_AT_WALL = 400
-"""After half of these, all boxes are at the wall; places are compared in the last two seconds."""
+TICKS_AT_WALL, BOX_TICKS_AT_WALL = 250, 600
+"""For how many ticks graphbodies are watched, which stand after half of it, and boxes."""
 
 BOXES_PUSHED = (0, 1, 2, 3, 5, 10, 15, 20)
 PUSHING = ((0.1, 2), (0.4, 4))
 """How many boxes are pushed on, and with which friction and speed (E7)."""
+
+TICKS_OF_PUSHING, BOX_TICKS_OF_PUSHING = 100, 400
+"""For how many ticks graphbodies are watched, and boxes, until their speed no longer changes; the last second counts."""
 
 IN_SCENE = (1, 2, 5, 10, 15, 20, 25, 30, 40, 50, 60, 80, 100)
 """How many boxes there are, of which a character pushes so many after a second (E5)."""

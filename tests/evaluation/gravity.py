@@ -51,6 +51,7 @@ GUESSES = (
     Guess("(e) the graphbody has a drag of 0.999", {}, Prototype(drag=0.999)),
     Guess("(e) moves, then finds its velocity; 1 s", {}, Prototype(moves_first=True), ticks=50),
     Guess("(e) moves, then finds its velocity; 2 s", {}, Prototype(moves_first=True)),
+    Guess("(e) moves, then finds its velocity; 3 s", {}, Prototype(moves_first=True), ticks=150),
     Guess("(e) moves, then finds its velocity; 4 s", {}, Prototype(moves_first=True), ticks=200),
     Guess("(e) the box is seen a tick late", {}, late=1),
     Guess("(e) the graphbody is seen a tick late", {}, late=-1),

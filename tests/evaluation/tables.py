@@ -78,3 +78,11 @@ def joined(tables: Iterable[Table]) -> list[Table]:
 def by(lines: Iterable[Line], *keys: str) -> dict[tuple[float, ...], Line]:
     """Lines by the numbers that tell them apart."""
     return {tuple(number(line, key) for key in keys): line for line in lines}
+
+
+NAMES = ("slope", "flat", "ends", "rest", "differences", "gravity", "wall", "constant", "row", "scene", "times")
+
+
+def read_all(directory: Path) -> dict[str, Table]:
+    """All tables of a run."""
+    return {name: read(directory, name) for name in NAMES}

@@ -1,0 +1,50 @@
+"""`python -m evaluation`: run all anew and write docs/evaluation.md with its data and figures.
+
+`python -m evaluation check` runs all but the times, writes nothing, and fails if anything differs from what is there.
+"""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+from evaluation.figures import draw
+from evaluation.measure import measured, times
+from evaluation.page import page
+from evaluation.tables import Table, read, read_all
+
+DOCS = Path(__file__).parents[2] / "docs"
+DATA, PAGE = DOCS / "evaluation", DOCS / "evaluation.md"
+
+
+def write(tables: list[Table], data: Path, document: Path) -> None:
+    """Write data, figures and page."""
+    data.mkdir(exist_ok=True)
+    for table in tables:
+        table.write(data)
+    written = read_all(data)
+    draw(written, data)
+    document.write_text(page(written))
+
+
+def main() -> int:
+    """Run, or check; the exit status."""
+    if sys.argv[1:] == ["check"]:
+        with TemporaryDirectory() as directory:
+            data, document = Path(directory) / DATA.name, Path(directory) / PAGE.name
+            write([*measured(), read(DATA, "times")], data, document)
+            pairs = [(document, PAGE), *((path, DATA / path.name) for path in sorted(data.iterdir()))]
+            stale = [old for new, old in pairs if not old.exists() or old.read_bytes() != new.read_bytes()]
+        for path in stale:
+            print(f"{path.relative_to(DOCS.parent)}: differs from a new run; `make evaluation` writes it anew")
+        return 1 if stale else 0
+    if sys.argv[1:]:
+        print(f"expected nothing or check, got {' '.join(sys.argv[1:])}", file=sys.stderr)
+        return 2
+    write([*measured(), times()], DATA, PAGE)
+    print(f"{PAGE.relative_to(DOCS.parent)}, and its data and figures in {DATA.relative_to(DOCS.parent)}")
+    return 0
+
+
+sys.exit(main())
