@@ -48,6 +48,12 @@ PAGES = (
         ("condition", "guideline", "unsupported"),
     ),
     Page("differences.md", "Differences", "Why `repaired` ends otherwise than `thesis`.", ("difference",)),
+    Page(
+        "evaluated.md",
+        "Evaluated",
+        "What the thesis found of its prototype, and what a run here shows.",
+        ("evaluation",),
+    ),
     Page("models.md", "Models", "What the level, the graph and time are.", ("model",)),
 )
 

@@ -1,4 +1,4 @@
-"""Evaluated: what the thesis says of its prototype beside rigid bodies and of its cost, and what a run of ours shows."""
+"""Evaluated: what the thesis says of its prototype beside rigid bodies and of its cost, and what a run here shows."""
 
 from __future__ import annotations
 

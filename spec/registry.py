@@ -7,6 +7,7 @@ from typing import Protocol
 
 from spec.conditions import CONDITIONS
 from spec.differences import DIFFERENCES
+from spec.evaluated import EVALUATED
 from spec.guidelines import GUIDELINES
 from spec.invariants import OF_ONE_REQUEST, RELATIONS
 from spec.models import MODELS, OF_GRAPHS, OF_STOREYS as MODELS_OF_STOREYS
@@ -75,7 +76,7 @@ def statements() -> dict[str, Statement]:
     rules = {rule.id: rule for rule in of_profiles}.values()
     everything: list[Statement] = [*PROFILES.values(), *rules, *MODELS, *OF_ONE_REQUEST, *RELATIONS, *IN_PLANE]
     everything += [*OF_ONE_STEP, *STEP_RELATIONS, *CONDITIONS, *GUIDELINES, *READINGS, *CASES, *RECORDED]
-    everything += DIFFERENCES
+    everything += [*DIFFERENCES, *EVALUATED]
     table: dict[str, Statement] = {}
     for statement in everything:
         if table.setdefault(statement.id, statement) is not statement:

@@ -66,7 +66,7 @@ PUSHING = ((0.1, 2), (0.4, 4))
 """How many boxes are pushed on, and with which friction and speed (E7)."""
 
 TICKS_OF_PUSHING, BOX_TICKS_OF_PUSHING = 100, 400
-"""For how many ticks graphbodies are watched, and boxes, until their speed no longer changes; the last second counts."""
+"""For how many ticks graphbodies are watched, and boxes, till their speed no longer changes; the last second counts."""
 
 IN_SCENE = (1, 2, 5, 10, 15, 20, 25, 30, 40, 50, 60, 80, 100)
 """How many boxes there are, of which a character pushes so many after a second (E5)."""

@@ -37,6 +37,8 @@ from evaluation.cases import (
 from evaluation.graphbodies import IN_REPAIRED, IN_THESIS, MENDED, PRINTED, VELOCITY
 from evaluation.gravity import GUESSES, fit
 from evaluation.tables import Engine, Line, Table, joined
+from reference.simulator import Game
+from spec.profiles import THESIS
 
 Slider = Callable[[Slide, int], Sequence[float]]
 
@@ -102,8 +104,8 @@ def at_wall(
 ) -> Line:
     """What becomes of boxes that are pushed into a wall (E6), in millimetres if a unit is 1 m.
 
-    How far any body has gone back in all, how deep two were in one another (by a width, if one has passed the other), and how far apart any body's places are in
-    the last two seconds.
+    How far any body has gone back in all, how deep two were in one another (by a width, if one has passed the other),
+    and how far apart any body's places are in the last two seconds.
     """
     rows = list(islice(places, ticks))
     tracks = list(zip(*rows, strict=True))
@@ -256,17 +258,15 @@ def times_of_row() -> Iterator[Line]:
     """The time of each tick while a character picks up boxes, one after another."""
     for name in ("one edge", "edges of 5/4"):
         start = graphbodies.picking_up(BOXES_IN_ROW, EDGES[name])
-        played = [games_timed(graphbodies.games(start)[IN_THESIS]) for _ in range(TIMED)]
-        for tick, found in enumerate(zip(*played, strict=True), start=1):
-            boxes = found[0][0]
-            values = {"seconds": tick * TICK, "boxes": boxes, "microseconds": min(one[1] for one in found)}
-            yield IN_THESIS.line(name, **values)
+        boxes = [graphbodies.tick(game)[0].depth - 1 for game in [Game(THESIS, start)] for _ in range(TICKS)]
+        played = [times_of_ticks(Game(THESIS, start)) for _ in range(TIMED)]
+        for tick, (pushed, *found) in enumerate(zip(boxes, *played, strict=True), start=1):
+            yield IN_THESIS.line(name, seconds=tick * TICK, boxes=pushed, microseconds=min(found))
 
 
-def games_timed(game: graphbodies.AnyGame) -> list[tuple[int, float]]:
-    """For each tick how many boxes are pushed, and its time."""
-    ticks = (timed(lambda: graphbodies.tick(game)[0].depth - 1) for _ in range(TICKS))
-    return list(ticks)
+def times_of_ticks(game: graphbodies.AnyGame) -> list[float]:
+    """How long each tick takes."""
+    return [timed_step(lambda: graphbodies.tick(game)) for _ in range(TICKS)]
 
 
 def times_of_scene() -> Iterator[Line]:
@@ -274,13 +274,13 @@ def times_of_scene() -> Iterator[Line]:
     for boxes in IN_SCENE:
         start = graphbodies.after_a_second(boxes)
         for engine in graphbodies.steps(start):
-            found = [timed(lambda step=graphbodies.steps(start)[engine][1]: step()[0]) for _ in range(TIMED)]
-            values = {"seconds": 1, "boxes": boxes, "microseconds": min(one[1] for one in found)}
+            found = [timed_step(graphbodies.steps(start)[engine][1]) for _ in range(TIMED)]
+            values = {"seconds": 1, "boxes": boxes, "microseconds": min(found)}
             yield engine.line("boxes in the scene", **values)
 
 
-def timed(step: Callable[[], int]) -> tuple[int, float]:
-    """What a step says, and how long it takes."""
+def timed_step(step: Callable[[], object]) -> float:
+    """How long a step takes, in microseconds."""
     before = process_time_ns()
-    found = step()
-    return found, (process_time_ns() - before) / 1000
+    step()
+    return (process_time_ns() - before) / 1000

@@ -11,15 +11,16 @@ from evaluation.tables import Line
 
 INTRODUCTION = """# Evaluation
 
-What the thesis says of its prototype beside rigid bodies, and of its cost, measured anew; `make evaluation` runs it all
-and writes this page. Chapters 6.3.3, 7.1.1 and 7.2 compare with Unity, whose 2D physics is Box2D. So do we: Box2D by its
-Python package, with the settings of Unity: gravity 9.81, ticks of 20 ms, 8 and 3 iterations, no bounce. Graphbodies are
-this specification's own: the rules of velocity as printed in figure 6.7 and as mended, and the profiles `thesis` and
-`repaired`. Boxes are 1 m wide and high. Bodies never sleep, and start at the height at which Box2D lets them rest.
+What the thesis says of its prototype beside rigid bodies, and of its cost, measured anew. `make evaluation` runs it all
+and writes this page. Sections 6.3.3, 7.1.1 and 7.2 compare with Unity, whose 2D physics is Box2D. Here it is Box2D by
+its Python package, with the settings of Unity: gravity 9.81, ticks of 20 ms, 8 and 3 iterations, no bounce.
+Graphbodies are this specification's own: the rules of velocity as printed in figure 6.7 and as mended, and the profiles
+`thesis` and `repaired`. Boxes are 1 m wide and high. They never sleep, and start at the height at which Box2D lets them
+rest.
 
-A statement is **confirmed** if it is so here, **refuted** if it is not, and **explained** if it is so for another reason
-than it seems to be. `graphbody explain E1` finds the statements of a row. A number is computed from the data in
-[evaluation](evaluation), of which each line names what was run, by which engine, and by which version of it.
+A statement is **confirmed** if it is so here, **refuted** if it is not, and **explained** if it is so for another
+reason than it seems to be. `graphbody explain E1` finds the statements of a row. Every number is computed from the data
+in [evaluation](evaluation), of which each line names what was run, by which engine, and by which version of it.
 """
 
 ENDING = """## What the figures do not say

@@ -47,9 +47,9 @@ def linear_time(tables: Tables) -> Finding:
         evaluated.LINEAR_TIME,
         judged(all(number(line, "work") == number(line, "boxes") + 1 for line in lines)),
         NOT_COMPARED,
-        "Pushing k boxes on one edge takes k + 1 collision queries. `repaired` asks all bodies of a storey in every tick, "
-        f"pushed or not: here it chooses a rule {least(at_once, 'work'):g} to {most(at_once, 'work'):g} times, more often "
-        "where a box is met within the tick.",
+        "Pushing k boxes on one edge takes k + 1 collision queries. `repaired` asks all bodies of a storey in every "
+        f"tick, pushed or not: here it chooses a rule {least(at_once, 'work'):g} to {most(at_once, 'work'):g} times, "
+        "more often where a box is met within the tick.",
         (
             "Figure 7.1 anew: a character picks up one box after another. Boxes pushed account for "
             f"{straight:.0%} of what differs in time between ticks on one edge (the square of the correlation).",
@@ -67,8 +67,9 @@ def spikes(tables: Tables) -> Finding:
         evaluated.SPIKES,
         judged(ratio[SHORT] > 2 and ratio[SINGLE] == 1),
         NOT_COMPARED,
-        "A body asks for its neighbour anew on each edge that it comes to (6.2.1). In ticks in which boxes pass on, there "
-        f"are up to {digits(ratio[SHORT])} times as many queries as bodies that move; on one edge exactly as many.",
+        "A body asks for its neighbour anew on each edge that it comes to (6.2.1). In ticks in which boxes pass on, "
+        f"there are up to {digits(ratio[SHORT])} times as many queries as bodies that move; on one edge exactly as "
+        "many.",
         (
             "Bodies in contact are 5/4 apart here; on edges of that length all pass on in the same tick. The greatest "
             "number of queries in a tick, and the greatest in proportion to the bodies that move:",
@@ -91,11 +92,11 @@ def boxes_in_scene(tables: Tables) -> Finding:
         NOT_COMPARED,
         "A full scan, as in the thesis, looks at (k + 1)(n + 1) bodies if k of n boxes are pushed: at "
         f"{digits(grows)} times as many with {many['boxes']:g} boxes as with {few['boxes']:g}, at the same push. With "
-        "neighbours kept in order, as here, it is k + 1 queries, whatever n is. `repaired` asks all bodies of a storey in "
-        "every tick, and so grows with n.",
+        "neighbours kept in order, as here, it is k + 1 queries, whatever n is. `repaired` asks all bodies of a "
+        "storey in every tick, and so grows with n.",
         (
-            "Figure 7.2 anew: the movement step after one second, in which the character pushes 20 boxes if there are as "
-            "many. It bends at 20, as in the thesis.",
+            "Figure 7.2 anew: the movement step after one second, in which the character pushes 20 boxes if there "
+            "are as many. It bends at 20, as in the thesis.",
         ),
         (
             Fact("E5", "full scan: (k + 1)(n + 1)", "so it is" if square else "not so", square),
@@ -130,19 +131,20 @@ def into_wall(tables: Tables) -> Finding:
     return Finding(
         evaluated.INTO_WALL,
         judged(len(shaken) == len(box) and still),
-        f"In each of {len(box)} runs some box is thrown back by more than {SHAKEN} mm in all, by up to {digits(thrown)} "
-        "mm; boxes are pressed into one another, and come to rest slowly.",
+        f"In each of {len(box)} runs some box is thrown back by more than {SHAKEN} mm in all, by up to "
+        f"{digits(thrown)} mm; boxes are pressed into one another, and come to rest slowly.",
         "Nobody ever goes back, is nearer to another than the margin, or moves once the row stands: 0 mm in exact "
         "numbers, as in the thesis and `repaired`."
         if still
         else "Bodies move back, into one another, or on.",
         (
-            "A character whose velocity is set in every tick pushes boxes into a wall. In mm, for boxes of 1 m: how far "
-            "a box has gone **back** in all, how **deep** two were in one another, and how far a box's places **drift** "
-            f"in the last {TICKS * TICK:g} of {BOX_TICKS_AT_WALL * TICK:g} s. Of graphbodies all three are 0.",
-            f"A row of boxes is pressed together and springs apart again. In {' and in '.join(worst) or 'no run'} a box is "
-            "pushed out of the row, over another, or is thrown off. What drifts at the end no longer shakes: the row "
-            "slowly comes to rest.",
+            "A character whose velocity is set in every tick pushes boxes into a wall. In mm, for boxes of 1 m: how "
+            "far a box has gone **back** in all, how **deep** two were in one another, and how far a box's places "
+            f"**drift** in the last {TICKS * TICK:g} of {BOX_TICKS_AT_WALL * TICK:g} s. Of graphbodies all three are "
+            "0.",
+            f"A row of boxes is pressed together and springs apart again. In {' and in '.join(worst) or 'no run'} a "
+            "box is pushed out of the row, over another, or is thrown off. What drifts at the end no longer shakes: "
+            "the row slowly comes to rest.",
         ),
         facts_of_wall(box),
         tuple(rows_of_wall(box)),
@@ -187,7 +189,8 @@ def constant_speed(tables: Tables) -> Finding:
         "It moves at V - (n + 1) mu g dt when it pushes n boxes: what friction takes of all of them in a tick.",
         f"{loss:g} m/s are lost, in exact numbers, as in the thesis and `repaired`.",
         (
-            "A character whose velocity V is set before every tick pushes n boxes on. Its mean speed over a second, in m/s:",
+            "A character whose velocity V is set before every tick pushes n boxes on. Its mean speed over a second, "
+            "in m/s:",
         ),
         (Fact("E7", "V - (n + 1) mu g dt", f"so it is, to {digits(off)} m/s", off <= 0.005),),
         (("boxes n", "mu", "V", BOX2D, "V - (n + 1) mu g dt", "graphbodies"), *rows),

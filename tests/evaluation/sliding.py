@@ -72,8 +72,8 @@ def gravity_slope(tables: Tables) -> Finding:
         f"With gravity {UNITY}, as printed and as mended, within {length(ours)} of the box; with {FITTED:g} up to "
         f"{length(fitted)} away.",
         (
-            "Figure 6.10 anew. Below, how far graphbodies are from the box on the same six slopes, which does not depend "
-            "on the speed. Without friction the printed and the mended rules are the same.",
+            "Figure 6.10 anew. Below, how far graphbodies are from the box on the same six slopes, which does not "
+            "depend on the speed. Without friction the printed and the mended rules are the same.",
         ),
         figure=("slope", "Figure 6.10: places along the slope, on six slopes, at five speeds"),
     )
@@ -103,7 +103,8 @@ def gravity_of_10(tables: Tables) -> Finding:
     return Finding(
         evaluated.GRAVITY_OF_10,
         judged(not worse),
-        f"What fits it best is {median(number(line, 'best') for line in printed):.2f}, under each of its settings tried.",
+        f"What fits it best is {median(number(line, 'best') for line in printed):.2f}, under each of its settings "
+        "tried.",
         f"The printed rule is nearer with {UNITY} than with {FITTED:g} in each of {len(printed)} runs.",
         (
             "Why did 10 fit better? For each guess the table has the gravity that fits best over the slopes and speeds "
@@ -125,9 +126,10 @@ def known(tables: Tables) -> tuple[str, ...]:
     scattered = [name[:3] for name, best in fits.items() if max(best) - min(best) > NEAR]
     ten = [name for name, best in fits.items() if off(best, FITTED) < NEAR]
     return (
-        f"**What is known.** It is not the engine: none of what is tried in {' and '.join(sorted(set(as_ever)))} changes "
-        f"what fits best. The guesses of which the gravity that fits differs from run to run, which are of "
-        f"{' and '.join(sorted(set(scattered)))}, cannot be the reason either, if 10 fitted best in all. Within {NEAR:g} "
+        f"**What is known.** It is not the engine: none of what is tried in {' and '.join(sorted(set(as_ever)))} "
+        "changes what fits best. The guesses of which the gravity that fits differs from run to run, which are of "
+        f"{' and '.join(sorted(set(scattered)))}, cannot be the reason either, if 10 fitted best in all. Within "
+        f"{NEAR:g} "
         f'of {FITTED:g} at every angle and speed is only: {" and ".join(ten) or "none"}. `getSteepness()` "returns the '
         'dot product between the up vector and the vector that points from one EdgePosition in 3D space to the other" '
         "(6.3.2), and the text does not say that this vector is normalised; 0.01 is the distance at which Unity's 2D "
@@ -135,8 +137,9 @@ def known(tables: Tables) -> tuple[str, ...]:
         f"borders that are {UNITY / FITTED:.3f} apart on a body of width 1.",
         "A body that moves before it finds its velocity comes near 10 too, in runs of two to three seconds; but the "
         "shorter the run, the greater the gravity that fits, and none fits well.",
-        "**What is not known.** Of the prototype's code the thesis prints figure 6.7 only, and of the runs behind figure "
-        "6.10 no number. That its borders were inset is a guess, if the only one here that explains what is said.",
+        "**What is not known.** Of the prototype's code the thesis prints figure 6.7 only, and of the runs behind "
+        "figure 6.10 no number. That its borders were inset is a guess, if the only one here that explains what is "
+        "said.",
     )
 
 
@@ -220,10 +223,10 @@ def static_friction(tables: Tables) -> Finding:
         "A box at rest stays at rest on slopes up to atan(mu): one coefficient serves both kinds of friction.",
         "As printed a body at rest stays at rest on slopes up to asin(mu / (1 + mu)), as mended up to atan(mu).",
         (
-            "Friction that cannot turn a velocity round, but ends at 0, is static friction: where it can take in a tick "
-            "all that gravity gives, a body at rest stays. Box2D has the same, with the same coefficient. So nothing "
-            "can be seen on the flat, where the thesis looked; on a slope the printed rule lets go too early, because "
-            "of its normal force.",
+            "Friction that cannot turn a velocity round, but ends at 0, is static friction: where it can take in a "
+            "tick all that gravity gives, a body at rest stays. Box2D has the same, with the same coefficient. So "
+            "nothing can be seen on the flat, where the thesis looked; on a slope the printed rule lets go too "
+            "early, because of its normal force.",
             f"The steepest slope on which a body laid down at rest stays, in degrees, by steps of {STEEPNESS_BY:g}:",
         ),
         (
@@ -256,8 +259,8 @@ def normal_force(tables: Tables) -> Finding:
         (
             f"{len(RUBBING)} runs of {TICKS * TICK:g} s with friction. What is left between box and mended rule is the "
             "engine's: where a box that may turn comes to its turning point, its weight is shared out anew between its "
-            f"corners, for which the 8 iterations that Unity gives are too few. If it may not turn, {length(still)} are "
-            "left. The greatest distance, by slope:",
+            f"corners, for which the 8 iterations that Unity gives are too few. If it may not turn, {length(still)} "
+            "are left. The greatest distance, by slope:",
         ),
         facts_of_friction(tables, worst, turning, still),
         (("degrees", "printed", "mended", "mended, and the box may not turn"), *rows_of_slopes(tables)),
@@ -301,7 +304,7 @@ def start_speed(tables: Tables) -> Finding:
         evaluated.START_SPEED,
         judged(away <= CLOSE),
         "Started along the normal, the box leaves the ground.",
-        f"Velocity is along the ground. If the box starts along it too, errors are up to {length(tangent)}; if it starts "
-        f"along the normal, up to {length(away)}.",
+        f"Velocity is along the ground. If the box starts along it too, errors are up to {length(tangent)}; if it "
+        f"starts along the normal, up to {length(away)}.",
         ("Table 6.3 says normal; in the text bodies are shot upwards along the edge. What is meant is the tangent.",),
     )
