@@ -39,7 +39,7 @@ class Guess:
 
 
 GUESSES = (
-    Guess("as printed, and Unity's settings", {}),
+    Guess("(f) as printed, with Unity's settings", {}),
     Guess("(a) one iteration of the solver", {"iterations": (1, 1)}),
     Guess("(a) the ground is an edge, no polygon", {"ground": "edge"}),
     Guess("(a) the box may not turn", {"turning": False}),

@@ -7,7 +7,7 @@ from dataclasses import replace
 from fractions import Fraction
 from itertools import islice, pairwise, product
 from time import process_time_ns
-from typing import Any
+from typing import Any, TypeVar
 
 from evaluation import graphbodies
 from evaluation.cases import (
@@ -37,8 +37,6 @@ from evaluation.cases import (
 from evaluation.graphbodies import IN_REPAIRED, IN_THESIS, MENDED, PRINTED, VELOCITY
 from evaluation.gravity import GUESSES, fit
 from evaluation.tables import Engine, Line, Table, joined
-from reference.simulator import Game
-from spec.profiles import THESIS
 
 Slider = Callable[[Slide, int], Sequence[float]]
 
@@ -105,14 +103,16 @@ def at_wall(
     """What becomes of boxes that are pushed into a wall (E6), in millimetres if a unit is 1 m.
 
     How far any body has gone back in all, how deep two were in one another (by a width, if one has passed the other),
-    and how far apart any body's places are in the last two seconds.
+    and of the last two seconds how far any body has drifted, and how much further it has gone to and fro.
     """
     rows = list(islice(places, ticks))
     tracks = list(zip(*rows, strict=True))
     back = max(sum(max(before - after, 0) for before, after in pairwise(track)) for track in tracks)
     overlap = max(1 - (right - left) for row in rows for left, right in pairwise(row))
-    drift = max(max(track[-TICKS:]) - min(track[-TICKS:]) for track in tracks)
-    values = {"back": back, "overlap": min(max(overlap, 0), 1), "drift": drift}
+    late = [track[-TICKS:] for track in tracks]
+    drift = max(abs(track[-1] - track[0]) for track in late)
+    shake = max(sum(abs(b - a) for a, b in pairwise(track)) - abs(track[-1] - track[0]) for track in late)
+    values = {"back": back, "overlap": min(max(overlap, 0), 1), "drift": drift, "shake": shake}
     in_millimetres = {name: 1000 * float(value) for name, value in values.items()}
     run = f"{boxes} boxes into a wall, friction {friction:g}, {speed:g} m/s"
     return engine.line(run, boxes=boxes, friction=friction, speed=speed, **in_millimetres)
@@ -258,29 +258,34 @@ def times_of_row() -> Iterator[Line]:
     """The time of each tick while a character picks up boxes, one after another."""
     for name in ("one edge", "edges of 5/4"):
         start = graphbodies.picking_up(BOXES_IN_ROW, EDGES[name])
-        boxes = [graphbodies.tick(game)[0].depth - 1 for game in [Game(THESIS, start)] for _ in range(TICKS)]
-        played = [times_of_ticks(Game(THESIS, start)) for _ in range(TIMED)]
-        for tick, (pushed, *found) in enumerate(zip(boxes, *played, strict=True), start=1):
-            yield IN_THESIS.line(name, seconds=tick * TICK, boxes=pushed, microseconds=min(found))
+        played = [times_of_ticks(graphbodies.games(start)[IN_THESIS]) for _ in range(TIMED)]
+        for tick, found in enumerate(zip(*played, strict=True), start=1):
+            boxes = found[0][0]
+            yield IN_THESIS.line(name, seconds=tick * TICK, boxes=boxes, microseconds=min(time for _, time in found))
 
 
-def times_of_ticks(game: graphbodies.AnyGame) -> list[float]:
-    """How long each tick takes."""
-    return [timed_step(lambda: graphbodies.tick(game)) for _ in range(TICKS)]
+def times_of_ticks(game: graphbodies.AnyGame) -> list[tuple[int, float]]:
+    """For each tick how many boxes are pushed, and how long it takes."""
+    return [timed(lambda: graphbodies.tick(game)[0].depth - 1) for _ in range(TICKS)]
 
 
 def times_of_scene() -> Iterator[Line]:
     """The time of the movement step after a second, with more and more boxes in the scene."""
-    for boxes in IN_SCENE:
-        start = graphbodies.after_a_second(boxes)
-        for engine in graphbodies.steps(start):
-            found = [timed_step(graphbodies.steps(start)[engine][1]) for _ in range(TIMED)]
-            values = {"seconds": 1, "boxes": boxes, "microseconds": min(found)}
-            yield engine.line("boxes in the scene", **values)
+    starts = {boxes: graphbodies.after_a_second(boxes) for boxes in IN_SCENE}
+    least: dict[tuple[int, Engine], float] = {}
+    for _, (boxes, start) in product(range(TIMED), starts.items()):
+        for engine, (_, step) in graphbodies.steps(start).items():
+            _, time = timed(step)
+            least[boxes, engine] = min(time, least.get((boxes, engine), time))
+    for (boxes, engine), time in least.items():
+        yield engine.line("boxes in the scene", seconds=1, boxes=boxes, microseconds=time)
 
 
-def timed_step(step: Callable[[], object]) -> float:
-    """How long a step takes, in microseconds."""
+Done = TypeVar("Done")
+
+
+def timed(step: Callable[[], Done]) -> tuple[Done, float]:
+    """What a step returns, and how long it takes in microseconds."""
     before = process_time_ns()
-    step()
-    return (process_time_ns() - before) / 1000
+    done = step()
+    return done, (process_time_ns() - before) / 1000

@@ -68,7 +68,7 @@ def spikes(tables: Tables) -> Finding:
         judged(ratio[SHORT] > 2 and ratio[SINGLE] == 1),
         NOT_COMPARED,
         "A body asks for its neighbour anew on each edge that it comes to (6.2.1). In ticks in which boxes pass on, "
-        f"there are up to {digits(ratio[SHORT])} times as many queries as bodies that move; on one edge exactly as "
+        f"there are up to {ratio[SHORT]:.2f} times as many queries as bodies that move; on one edge exactly as "
         "many.",
         (
             "Bodies in contact are 5/4 apart here; on edges of that length all pass on in the same tick. The greatest "
@@ -124,7 +124,7 @@ def into_wall(tables: Tables) -> Finding:
     """E6."""
     box = by(tables["wall"].of(BOX2D), "boxes", "friction", "speed")
     ours = [*tables["wall"].of(THESIS), *tables["wall"].of(REPAIRED)]
-    still = all(line[key] == 0 for line in ours for key in ("back", "overlap", "drift"))
+    still = all(line[key] == 0 for line in ours for key in ("back", "overlap", "drift", "shake"))
     shaken = [line for line in box.values() if number(line, "back") > SHAKEN]
     thrown = max(number(line, "back") for line in box.values() if number(line, "overlap") < 1000)
     worst = [str(line["run"]) for line in box.values() if number(line, "overlap") >= 1000]
@@ -133,8 +133,8 @@ def into_wall(tables: Tables) -> Finding:
         judged(len(shaken) == len(box) and still),
         f"In each of {len(box)} runs some box is thrown back by more than {SHAKEN} mm in all, by up to "
         f"{digits(thrown)} mm; boxes are pressed into one another, and come to rest slowly.",
-        "Nobody ever goes back, is nearer to another than the margin, or moves once the row stands: 0 mm in exact "
-        "numbers, as in the thesis and `repaired`."
+        "Nobody ever goes back, is in another, or moves once the row stands: 0 mm in exact numbers, as in the thesis "
+        "and `repaired`."
         if still
         else "Bodies move back, into one another, or on.",
         (
@@ -142,9 +142,9 @@ def into_wall(tables: Tables) -> Finding:
             "far a box has gone **back** in all, how **deep** two were in one another, and how far a box's places "
             f"**drift** in the last {TICKS * TICK:g} of {BOX_TICKS_AT_WALL * TICK:g} s. Of graphbodies all three are "
             "0.",
-            f"A row of boxes is pressed together and springs apart again. In {' and in '.join(worst) or 'no run'} a "
-            "box is pushed out of the row, over another, or is thrown off. What drifts at the end no longer shakes: "
-            "the row slowly comes to rest.",
+            "A row of boxes is pressed together and springs apart again, at last slowly: what **drifts** in the end no "
+            f"longer goes to and fro. A box was thrown out of the row, or over another, in {len(worst)} of the runs: "
+            f"{'; '.join(worst)}.",
         ),
         facts_of_wall(box),
         tuple(rows_of_wall(box)),
@@ -158,19 +158,21 @@ def rows_of_wall(box: dict[tuple[float, ...], Line]) -> list[tuple[str, ...]]:
     rows = [("boxes", *(f"{name}: {key}" for name in names for key in ("back", "deep", "drift")))]
     for boxes in BOXES_AT_WALL:
         lines = [box[boxes, friction, speed] for friction, speed in AT_WALL]
-        cells = (digits(number(line, key)) for line in lines for key in ("back", "overlap", "drift"))
+        cells = (f"{number(line, key):.1f}" for line in lines for key in ("back", "overlap", "drift"))
         rows.append((f"{boxes:g}", *cells))
     return rows
 
 
 def facts_of_wall(box: dict[tuple[float, ...], Line]) -> tuple[Fact, ...]:
-    """What was recorded of E6: ranges in the last two seconds, which are drifts."""
-    drifts = {boxes: [number(box[boxes, *how], "drift") for how in AT_WALL if how[0]] for boxes in (5, 20)}
-    five, twenty = (" and ".join(f"{digits(value)} mm" for value in drifts[boxes]) for boxes in (5, 20))
-    return (
-        Fact("E6", "n = 5: 3 mm of jitter", f"it drifts by {five}, and does not shake", abs(max(drifts[5]) - 3) < 0.5),
-        Fact("E6", "n = 20: 32 mm of jitter", f"it drifts by {twenty}", False),
-    )
+    """What was recorded of E6: how far apart places are in the last two seconds."""
+    facts = []
+    for boxes, recorded in ((5, 3), (20, 32)):
+        lines = [box[boxes, *how] for how in AT_WALL if how[0]]
+        drifts, shakes = (" and ".join(f"{number(one, key):.1f}" for one in lines) for key in ("drift", "shake"))
+        here = f"places differ by {drifts} mm, but by a drift one way; to and fro by {shakes} mm"
+        same = all(number(one, "shake") > recorded / 2 for one in lines)
+        facts.append(Fact("E6", f"n = {boxes}: {recorded} mm of jitter in the end", here, same))
+    return tuple(facts)
 
 
 def constant_speed(tables: Tables) -> Finding:

@@ -122,25 +122,32 @@ def gravity_of_10(tables: Tables) -> Finding:
 def known(tables: Tables) -> tuple[str, ...]:
     """What is known of the reason, and what is not."""
     fits = {guess.name: [number(line, "best") for line in guessed(tables, guess.name)] for guess in GUESSES}
-    as_ever = [name[:3] for name, best in fits.items() if name[0] == "(" and off(best, UNITY) < NEAR / 10]
-    scattered = [name[:3] for name, best in fits.items() if max(best) - min(best) > NEAR]
+    as_ever = [name for name, best in fits.items() if off(best, UNITY) < NEAR / 10]
+    scattered = [name for name, best in fits.items() if max(best) - min(best) > NEAR]
     ten = [name for name, best in fits.items() if off(best, FITTED) < NEAR]
     return (
-        f"**What is known.** It is not the engine: none of what is tried in {' and '.join(sorted(set(as_ever)))} "
-        "changes what fits best. The guesses of which the gravity that fits differs from run to run, which are of "
-        f"{' and '.join(sorted(set(scattered)))}, cannot be the reason either, if 10 fitted best in all. Within "
-        f"{NEAR:g} "
-        f'of {FITTED:g} at every angle and speed is only: {" and ".join(ten) or "none"}. `getSteepness()` "returns the '
-        'dot product between the up vector and the vector that points from one EdgePosition in 3D space to the other" '
-        "(6.3.2), and the text does not say that this vector is normalised; 0.01 is the distance at which Unity's 2D "
-        f"physics takes shapes to touch, if nothing else is set. With such a vector {FITTED:g} is exactly right for "
-        f"borders that are {UNITY / FITTED:.3f} apart on a body of width 1.",
+        f"**What is known.** It is neither the engine nor its settings: under {letters(as_ever)} what fits best is "
+        f"{UNITY}. Under {letters(scattered)} it differs from run to run, so that no gravity fits all; these are the "
+        "reason only if 10 was best on the whole, by the choice of the runs. Within "
+        f"{NEAR:g} of {FITTED:g} at every angle and speed is {' and '.join(ten) or 'none'}.",
+        '`getSteepness()` "returns the dot product between the up vector and the vector that points from one '
+        'EdgePosition in 3D space to the other" (6.3.2): the text does not say that this vector is normalised. 0.01 is '
+        "the distance at which Unity's 2D physics takes shapes to touch, if nothing else is set. With such a vector "
+        f"{FITTED:g} is exactly right for borders that are {UNITY / FITTED:.3f} apart on a body of width 1.",
         "A body that moves before it finds its velocity comes near 10 too, in runs of two to three seconds; but the "
         "shorter the run, the greater the gravity that fits, and none fits well.",
         "**What is not known.** Of the prototype's code the thesis prints figure 6.7 only, and of the runs behind "
         "figure 6.10 no number. That its borders were inset is a guess, if the only one here that explains what is "
         "said.",
     )
+
+
+def letters(names: list[str]) -> str:
+    """Guesses, each with its letter; those of one letter that are all among them by the letter alone."""
+    found = {name[:3]: [other for other in names if other[:3] == name[:3]] for name in names}
+    every = {name[:3]: [guess.name for guess in GUESSES if guess.name[:3] == name[:3]] for name in names}
+    told = [key if found[key] == every[key] else "; ".join(found[key]) for key in found]
+    return ", ".join(told[:-1]) + " and " + told[-1] if len(told) > 1 else "".join(told)
 
 
 def off(best: list[float], gravity: float) -> float:
@@ -306,5 +313,8 @@ def start_speed(tables: Tables) -> Finding:
         "Started along the normal, the box leaves the ground.",
         f"Velocity is along the ground. If the box starts along it too, errors are up to {length(tangent)}; if it "
         f"starts along the normal, up to {length(away)}.",
-        ("Table 6.3 says normal; in the text bodies are shot upwards along the edge. What is meant is the tangent.",),
+        (
+            "Table 6.3 says normal; in the text bodies are shot upwards from the bottom of the edge and slide down. "
+            "What is meant is the tangent.",
+        ),
     )
