@@ -38,6 +38,7 @@ $(VENV): $(READY) ## set up the virtual environment (the targets that need it do
 .PHONY: check
 check: $(READY) ## check the specification: every property against every rule and the reference
 	@$(BIN)/graphbody check
+	@$(BIN)/graphbody map --check
 
 .PHONY: check-long
 check-long: $(READY) ## check the claims that take long: the hunts for witnesses on small levels
@@ -96,6 +97,10 @@ $(BROKEN)/obligations.json: $(READY) $(SOURCE)
 .PHONY: compare
 compare: $(READY) ## compare the profiles repaired and thesis over SCENARIOS scenarios, 100,000 if not said
 	@$(BIN)/graphbody compare --scenarios $(SCENARIOS)
+
+.PHONY: map
+map: $(READY) ## find out which levels are safe under which rules, and write docs/map.md
+	@$(BIN)/graphbody map
 
 .PHONY: cross-check
 cross-check: $(SMTLIB)/obligations.json $(BROKEN)/obligations.json ## have a second solver decide what Z3 has decided

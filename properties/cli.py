@@ -10,12 +10,12 @@ from typing import TYPE_CHECKING, Annotated, NoReturn
 import typer
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Callable, Mapping, Sequence
 
     from properties.claims.claim import Claim
     from properties.evidence.settle import Jobs
-    from properties.evidence.showing import Job, Showing
-    from properties.evidence.store import Store
+    from properties.evidence.showing import Job
+    from properties.evidence.store import Result, Store
 
 app = typer.Typer(
     help="Graph-based 2D character movement: check its specification, play it, look it up.",
@@ -50,6 +50,7 @@ def check(
 
     from properties.evidence.files import BUILD, JOBS, RESULTS, RESULTS_LONG, WITNESSES
     from properties.evidence.settle import all_jobs, settle
+    from properties.evidence.showing import Showing
     from properties.evidence.sources import sources
     from properties.evidence.store import Store
     from properties.report import show_effort, show_ledgers, show_surprises, show_table, write_results
@@ -58,7 +59,7 @@ def check(
     if BUILD.exists() and not BUILD.is_dir():
         refuse(f"{BUILD}: expected a directory, to write results to")
     prepare_export(export)
-    store = Store(JOBS if export is None else export / "jobs", sources())
+    store = Store(JOBS if export is None else export / "jobs", sources(), Showing)
     showings = run_all(exporting(export, all_jobs(claims, seed, ledgers)), store)
     if sources() != store.sources:
         refuse("the sources have changed during the run; nothing was written: run it again")
@@ -120,7 +121,7 @@ def chosen_claims(name: str | None, long: bool) -> Sequence[Claim]:
     return [found]
 
 
-def run_all(jobs: Jobs, store: Store) -> dict[Job, Showing]:
+def run_all(jobs: Mapping[Job, Callable[[], Result]], store: Store[Result]) -> dict[Job, Result]:
     """Run jobs in processes, with progress on a terminal; those that were done before are taken over."""
     from rich.console import Console
     from rich.progress import Progress
@@ -300,6 +301,31 @@ def handbook(docs: Annotated[Path, typer.Argument(help="The directory of the doc
         print(f"{write_handbook(docs)} entries in {docs / 'reference'}")
     except NoEvidence as error:
         refuse(str(error))
+
+
+@app.command(name="map")
+def make_map(
+    again: Annotated[bool, typer.Option("--check", help="Only look at what was found again, and play it.")] = False,
+) -> None:
+    """Find out what levels are safe under which rules, and write docs/map.md. With --check, exit status 1 if it fails.
+
+    What an earlier run has found out of the same sources is taken over.
+    """
+    from properties.evidence.files import FOUND
+    from properties.evidence.sources import sources
+    from properties.evidence.store import Store
+    from properties.map.assembly import map_jobs, write_map, wrong_on_the_map
+    from reference.formats.files import FormatError
+
+    if not again:
+        write_map(run_all(map_jobs(), Store(FOUND, sources(), object)))
+    try:
+        wrong = list(wrong_on_the_map())
+    except FormatError as error:
+        refuse(f"{error}; run `make map`")
+    print(*wrong, sep="\n", end="\n" if wrong else "")
+    if wrong:
+        raise typer.Exit(1)
 
 
 @app.command(name="cross-check")

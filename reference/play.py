@@ -30,7 +30,6 @@ from reference.simulator import Endless, Fulfilled, Game, Happened
 from reference.stepping import StepGame
 from reference.world import LevelError
 from spec.body import Body, Level
-from spec.graph import Direction
 from spec.number import N
 from spec.profiles import PROFILES, AnyProfile, SteppedProfile
 from spec.transform import body_with_numbers, in_floats
@@ -243,7 +242,7 @@ def ticks(game: AnyGame, step: StepRecord, floats: bool) -> Iterator[Played[Any]
     if step.tick is not None:
         tick = TickRecord(step.tick.key)
         for _ in range(step.tick.times):
-            yield played(game, tick, game.tick(Direction[tick.key.upper()]))
+            yield played(game, tick, game.tick(tick.direction))
     if step.drive is not None and isinstance(game, StepGame):
         kind: Any = float if floats else Fraction
         speeds = {name: kind(exact(speed, "$")) for name, speed in step.drive.speeds.items()}

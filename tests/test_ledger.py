@@ -49,7 +49,7 @@ class Here(Executor):
 @pytest.fixture
 def store(tmp_path):
     """An empty store of what is shown of the current sources."""
-    return Store(tmp_path / "jobs", sources())
+    return Store(tmp_path / "jobs", sources(), Showing)
 
 
 def shown_as(number):
@@ -272,7 +272,7 @@ def checked(tmp_path, monkeypatch):
     """A directory in which one claim was checked, whose results stand for those of both runs."""
     monkeypatch.chdir(tmp_path)
     claim = settling.by_id("claim/stays-in-wall")
-    showings = settling.run(settling.jobs_of(claim), Here(), Store(tmp_path / "jobs", sources()), ignored)
+    showings = settling.run(settling.jobs_of(claim), Here(), Store(tmp_path / "jobs", sources(), Showing), ignored)
     settled = settling.settle(claim, showings, tmp_path)
     for name in ("results.json", "results-long.json"):
         write_results([settled], showings, sources(), tmp_path / "build" / name)

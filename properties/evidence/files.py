@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 BUILD = Path("build")
-WITNESSES, JOBS = BUILD / "witnesses", BUILD / "jobs"
+WITNESSES, JOBS, FOUND = BUILD / "witnesses", BUILD / "jobs", BUILD / "map"
 RESULTS, RESULTS_LONG = BUILD / "results.json", BUILD / "results-long.json"
 
 LISTED = "obligations.json"

@@ -18,7 +18,7 @@ from properties.claims.claim import Claim, Obligation, Verdict
 from properties.contracts.request import judged
 from properties.evidence.ledger import conditions, ledger, proofs_of
 from properties.evidence.showing import Job, Showing, looks, texts
-from properties.evidence.store import Store
+from properties.evidence.store import Result, Store
 from properties.results import Ledger
 from reference.formats.files import FormatError
 from reference.simulator import Endless
@@ -218,7 +218,12 @@ def all_jobs(claims: Iterable[Claim], seed: int = 0, spreads: bool = False) -> J
     return jobs
 
 
-def run(jobs: Jobs, executor: Executor, store: Store, progress: Callable[[int, int], None]) -> dict[Job, Showing]:
+def run(
+    jobs: Mapping[Job, Callable[[], Result]],
+    executor: Executor,
+    store: Store[Result],
+    progress: Callable[[int, int], None],
+) -> dict[Job, Result]:
     """Run all jobs but those whose current result is stored; each stores its own, so a run that stops loses no other.
 
     `progress` is told how many are done and how many there are.
@@ -226,7 +231,7 @@ def run(jobs: Jobs, executor: Executor, store: Store, progress: Callable[[int, i
     showings = store.current(jobs)
     progress(len(showings), len(jobs))
     first = sorted(jobs.keys() - showings.keys(), key=lambda job: (job[0] != "sample", job))
-    running: dict[Future[Showing], Job] = {executor.submit(store.run, job, jobs[job]): job for job in first}
+    running: dict[Future[Result], Job] = {executor.submit(store.run, job, jobs[job]): job for job in first}
     for future in as_completed(running):
         showings[running[future]] = future.result()
         progress(len(showings), len(jobs))

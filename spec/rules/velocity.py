@@ -81,13 +81,14 @@ class VelocityRules:
     drag: Chooser
     fastest: Chooser
     slowest: Chooser
+    after: Chooser
 
     def through(self, wrap: Callable[[Chooser], Chooser]) -> VelocityRules:
         """The same rules, each family wrapped."""
         return VelocityRules(**{name: wrap(getattr(self, name)) for name in VELOCITY_FAMILIES})
 
 
-VELOCITY_FAMILIES = ("body", "pull", "normal", "coefficient", "friction", "drag", "fastest", "slowest")
+VELOCITY_FAMILIES = ("body", "pull", "normal", "coefficient", "friction", "drag", "fastest", "slowest", "after")
 
 
 @dataclass(frozen=True)
@@ -148,6 +149,15 @@ class Bounded(Generic[N]):
     velocity: N
     before: N
     bound: N | None
+
+
+@dataclass(frozen=True)
+class Moved(Generic[N]):
+    """A velocity with which a body was to move, whether it did so all the way, and with which it moved in the end."""
+
+    velocity: N
+    free: bool
+    actual: N
 
 
 def magnitude(number: N) -> N:
@@ -316,6 +326,26 @@ def at_the_bound(bounded: Bounded[N]) -> N:
 def standing(bounded: Bounded[N]) -> N:
     """No velocity."""
     return zero_like(bounded.velocity)
+
+
+def moved_freely(moved: Moved[N]) -> Truth:
+    """It moved all the way."""
+    return moved.free
+
+
+def was_hindered(moved: Moved[N]) -> Truth:
+    """It did not move all the way."""
+    return not moved.free
+
+
+def as_meant(moved: Moved[N]) -> N:
+    """The velocity with which it was to move."""
+    return moved.velocity
+
+
+def as_moved(moved: Moved[N]) -> N:
+    """The velocity with which it moved in the end."""
+    return moved.actual
 
 
 BODY: AnyFamily = Family(
@@ -529,8 +559,46 @@ SLOWEST: AnyFamily = Family(
     ),
 )
 
+AFTER_PRINTED: AnyFamily = Family(
+    "after",
+    (
+        Rule(
+            id="velocity/kept",
+            sentence="What a body meets in its move changes neither its velocity nor that of what it pushes.",
+            source="6.2.1c, 6.3.4; A2, A38",
+            guard=(),
+            effect=as_meant,
+        ),
+    ),
+)
+
+AFTER: AnyFamily = Family(
+    "after",
+    (
+        Rule(
+            id="velocity/unhindered",
+            sentence="A body that has moved all the way keeps its velocity; what it pushes gets none of it.",
+            source="6.2.1c, 6.3.4; A2, O8",
+            guard=(moved_freely,),
+            effect=as_meant,
+        ),
+        Rule(
+            id="velocity/hindered",
+            sentence="A body that has not moved all the way has the velocity with which it moved in the end.",
+            source="6.2.1c, 6.3.4; A38, O8",
+            guard=(was_hindered,),
+            effect=as_moved,
+        ),
+    ),
+)
+
 
 def simulate_tick(rules: VelocityRules, motion: Motion[N], slope: Slope[N], dt: N) -> Motion[N]:
     """The motion of a body after its velocity has been found anew, which is the first act of a tick (5.2; R10)."""
     turn = Turn(rules, motion, slope, dt)
     return replace(motion, velocity=chosen(rules.body, turn))
+
+
+def meet(rules: VelocityRules, motion: Motion[N], free: bool, actual: N) -> Motion[N]:
+    """The motion of a body after its move: `free` if it moved all the way, and with which velocity in the end."""
+    return replace(motion, velocity=chosen(rules.after, Moved(motion.velocity, free, actual)))
