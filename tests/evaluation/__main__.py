@@ -10,9 +10,10 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from evaluation.figures import draw
-from evaluation.measure import measured, times
+from evaluation.measure import measured
 from evaluation.page import page
 from evaluation.tables import Table, read, read_all
+from evaluation.timing import times
 
 DOCS = Path(__file__).parents[2] / "docs"
 DATA, PAGE = DOCS / "evaluation", DOCS / "evaluation.md"

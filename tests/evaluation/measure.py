@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
+from functools import partial
 from itertools import islice, pairwise, product
-from time import process_time_ns
-from typing import Any, TypeVar
+from typing import Any
 
 from evaluation import graphbodies
 from evaluation.cases import (
@@ -43,9 +43,6 @@ Slider = Callable[[Slide, int], Sequence[float]]
 NOTED, NOTED_ON_FLAT = 5, 10
 """Every how many ticks a place is noted."""
 
-TIMED = 9
-"""How often what is timed is run; the least time counts, with which nothing else has interfered."""
-
 IN_A_SECOND = round(1 / TICK)
 
 EDGES = {"one edge": Fraction(250), "edges of 8": Fraction(8), "edges of 5/4": Fraction(5, 4)}
@@ -55,11 +52,7 @@ EDGES = {"one edge": Fraction(250), "edges of 8": Fraction(8), "edges of 5/4": F
 def sliders() -> Iterator[tuple[Engine, float, Slider]]:
     """Graphbodies that slide, with gravity."""
     for engine, gravity in ((PRINTED, UNITY), (PRINTED, FITTED), (MENDED, UNITY)):
-
-        def run(slide: Slide, ticks: int, engine: Engine = engine, gravity: float = gravity) -> Sequence[float]:
-            return graphbodies.slide(VELOCITY[engine], slide, ticks, gravity)
-
-        yield engine, gravity, run
+        yield engine, gravity, partial(graphbodies.slide, VELOCITY[engine], gravity=gravity)
 
 
 def about(engine: Engine, run: Slide, **values: str | float) -> Line:
@@ -67,16 +60,21 @@ def about(engine: Engine, run: Slide, **values: str | float) -> Line:
     return engine.line(run.name, degrees=run.degrees, friction=run.friction, speed=run.speed, **values)
 
 
-def tracks(engine: Engine, gravity: float, slider: Slider) -> Iterator[Table]:
-    """Where a body is, time and again (figures 6.10 and 6.11)."""
-    on_flat = ("flat", SHOWN, NOTED_ON_FLAT, TICKS_ON_FLAT // 2)
-    for name, runs, every, ticks in (("slope", FREE, NOTED, TICKS), on_flat)[: 2 if gravity == UNITY else 1]:
-        lines = []
-        for run in runs:
-            places = slider(run, ticks)
-            noted = {f"{tick * TICK:.1f}": places[tick - 1] for tick in range(every, ticks + 1, every)}
-            lines.append(about(engine, run, gravity=gravity, **noted))
-        yield Table(name, lines)
+def on_slopes(engine: Engine, gravity: float, slider: Slider) -> Table:
+    """Where a body is, time and again, on slopes without friction (figure 6.10)."""
+    return Table("slope", [track(engine, gravity, slider, run, NOTED, TICKS) for run in FREE])
+
+
+def on_flat(engine: Engine, gravity: float, slider: Slider) -> Table:
+    """Where a body is, time and again, on the flat (figure 6.11)."""
+    return Table("flat", [track(engine, gravity, slider, run, NOTED_ON_FLAT, TICKS_ON_FLAT // 2) for run in SHOWN])
+
+
+def track(engine: Engine, gravity: float, slider: Slider, run: Slide, every: int, ticks: int) -> Line:
+    """Where a body is after every so many ticks."""
+    places = slider(run, ticks)
+    noted = {f"{tick * TICK:.1f}": places[tick - 1] for tick in range(every, ticks + 1, every)}
+    return about(engine, run, gravity=gravity, **noted)
 
 
 def ends(engine: Engine, slider: Slider) -> Table:
@@ -106,12 +104,12 @@ def at_wall(
     and of the last two seconds how far any body has drifted, and how much further it has gone to and fro.
     """
     rows = list(islice(places, ticks))
-    tracks = list(zip(*rows, strict=True))
-    back = max(sum(max(before - after, 0) for before, after in pairwise(track)) for track in tracks)
+    ways = list(zip(*rows, strict=True))
+    back = max(sum(max(before - after, 0) for before, after in pairwise(way)) for way in ways)
     overlap = max(1 - (right - left) for row in rows for left, right in pairwise(row))
-    late = [track[-TICKS:] for track in tracks]
-    drift = max(abs(track[-1] - track[0]) for track in late)
-    shake = max(sum(abs(b - a) for a, b in pairwise(track)) - abs(track[-1] - track[0]) for track in late)
+    late = [way[-TICKS:] for way in ways]
+    drift = max(abs(way[-1] - way[0]) for way in late)
+    shake = max(sum(abs(b - a) for a, b in pairwise(way)) - abs(way[-1] - way[0]) for way in late)
     values = {"back": back, "overlap": min(max(overlap, 0), 1), "drift": drift, "shake": shake}
     in_millimetres = {name: 1000 * float(value) for name, value in values.items()}
     run = f"{boxes} boxes into a wall, friction {friction:g}, {speed:g} m/s"
@@ -122,8 +120,8 @@ def pushing(
     engine: Engine, boxes: int, friction: float, speed: float, ticks: int, places: Iterator[Sequence[Any]]
 ) -> Line:
     """The mean speed, over a second, of a character whose velocity is set in every tick (E7)."""
-    track = [row[0] for row in islice(places, ticks)]
-    found = float((track[-1] - track[-1 - IN_A_SECOND]) / IN_A_SECOND) / TICK
+    way = [row[0] for row in islice(places, ticks)]
+    found = float((way[-1] - way[-1 - IN_A_SECOND]) / IN_A_SECOND) / TICK
     run = f"{boxes} boxes pushed on, friction {friction:g}, {speed:g} m/s"
     return engine.line(run, boxes=boxes, friction=friction, speed=speed, mean=found)
 
@@ -131,11 +129,12 @@ def pushing(
 def of_graphbodies() -> Iterator[Table]:
     """All that is measured of graphbodies."""
     for engine, gravity, slider in sliders():
-        yield from tracks(engine, gravity, slider)
+        yield on_slopes(engine, gravity, slider)
         if gravity == UNITY:
+            yield on_flat(engine, gravity, slider)
             yield ends(engine, slider)
     for engine, rules in VELOCITY.items():
-        yield holds(engine, lambda degrees, friction, rules=rules: graphbodies.rests(rules, degrees, friction))
+        yield holds(engine, partial(graphbodies.rests, rules))
     yield Table("wall", list(lines_at_wall(BOXES_AT_WALL)))
     yield Table("constant", list(lines_of_pushing()))
     yield Table("row", list(lines_of_row()))
@@ -184,7 +183,8 @@ def of_box2d() -> Iterator[Table]:
     """All that is measured of Box2D."""
     from evaluation import rigid
 
-    yield from tracks(rigid.BOX2D, UNITY, rigid.slide)
+    yield on_slopes(rigid.BOX2D, UNITY, rigid.slide)
+    yield on_flat(rigid.BOX2D, UNITY, rigid.slide)
     yield ends(rigid.BOX2D, rigid.slide)
     yield holds(rigid.BOX2D, rigid.rests)
     yield Table("wall", list(lines_of_boxes_at_wall()))
@@ -246,46 +246,3 @@ def of_both() -> Iterator[Table]:
 def measured() -> list[Table]:
     """All tables of a run but that of times."""
     return joined([*of_graphbodies(), *of_box2d(), *of_both()])
-
-
-def times() -> Table:
-    """How long movement steps take, in microseconds of the processor: the least of some runs (figures 7.1 and 7.2)."""
-    lines = [*times_of_row(), *times_of_scene()]
-    return Table("times", lines)
-
-
-def times_of_row() -> Iterator[Line]:
-    """The time of each tick while a character picks up boxes, one after another."""
-    for name in ("one edge", "edges of 5/4"):
-        start = graphbodies.picking_up(BOXES_IN_ROW, EDGES[name])
-        played = [times_of_ticks(graphbodies.games(start)[IN_THESIS]) for _ in range(TIMED)]
-        for tick, found in enumerate(zip(*played, strict=True), start=1):
-            boxes = found[0][0]
-            yield IN_THESIS.line(name, seconds=tick * TICK, boxes=boxes, microseconds=min(time for _, time in found))
-
-
-def times_of_ticks(game: graphbodies.AnyGame) -> list[tuple[int, float]]:
-    """For each tick how many boxes are pushed, and how long it takes."""
-    return [timed(lambda: graphbodies.tick(game)[0].depth - 1) for _ in range(TICKS)]
-
-
-def times_of_scene() -> Iterator[Line]:
-    """The time of the movement step after a second, with more and more boxes in the scene."""
-    starts = {boxes: graphbodies.after_a_second(boxes) for boxes in IN_SCENE}
-    least: dict[tuple[int, Engine], float] = {}
-    for _, (boxes, start) in product(range(TIMED), starts.items()):
-        for engine, (_, step) in graphbodies.steps(start).items():
-            _, time = timed(step)
-            least[boxes, engine] = min(time, least.get((boxes, engine), time))
-    for (boxes, engine), time in least.items():
-        yield engine.line("boxes in the scene", seconds=1, boxes=boxes, microseconds=time)
-
-
-Done = TypeVar("Done")
-
-
-def timed(step: Callable[[], Done]) -> tuple[Done, float]:
-    """What a step returns, and how long it takes in microseconds."""
-    before = process_time_ns()
-    done = step()
-    return done, (process_time_ns() - before) / 1000
