@@ -78,7 +78,9 @@ def test_an_explanation_says_where_it_is_measured():
     assert "  measured in: docs/evaluation.md#evaluation-gravity-slope" in lines
 
 
-@pytest.mark.parametrize(("engine", "gravity", "slider"), measure.sliders(), ids=["printed", "printed, 10", "mended"])
+@pytest.mark.parametrize(
+    ("engine", "gravity", "slider"), list(measure.sliders()), ids=["printed", "printed, 10", "mended"]
+)
 def test_bodies_slide_as_they_are_recorded_to(engine, gravity, slider):
     assert_recorded(measure.on_slopes(engine, gravity, slider))
     if gravity == UNITY:
@@ -125,7 +127,7 @@ def test_the_gravity_that_fits_is_found_again():
 
 
 def test_a_wrong_rule_is_not_judged_as_the_printed_one_is():
-    """With data in which gravity is 10, the statement on it would be confirmed, and that on slopes refuted."""
+    """With data in which 10 fits, the statement on it would be confirmed, and those on what follows refuted."""
     lines = [
         {**line, "furthest": 1, "error at 9.81": 1, "error at 10": 0}
         for name in ("differences", "gravity")

@@ -27,6 +27,9 @@ NOT_COMPARED = "Not compared; the thesis does not do so either (7.1)."
 SHAKEN = 10
 """A box that has gone back by so many millimetres, a hundredth of its width, has been shaken."""
 
+RESTLESS, PASSED = 1, 1000
+"""Millimetres to and fro of what is not at rest; the width of a box: one that deep in another has passed it."""
+
 
 def of_run(tables: Tables, name: str, engine: str, run: str) -> list[Line]:
     """The lines of a table about a run of an engine."""
@@ -126,52 +129,60 @@ def into_wall(tables: Tables) -> Finding:
     ours = [*tables["wall"].of(THESIS), *tables["wall"].of(REPAIRED)]
     still = all(line[key] == 0 for line in ours for key in ("back", "overlap", "drift", "shake"))
     shaken = [line for line in box.values() if number(line, "back") > SHAKEN]
-    thrown = max(number(line, "back") for line in box.values() if number(line, "overlap") < 1000)
-    worst = [str(line["run"]) for line in box.values() if number(line, "overlap") >= 1000]
+    thrown = max(number(line, "back") for line in box.values() if number(line, "overlap") < PASSED)
     return Finding(
         evaluated.INTO_WALL,
         judged(len(shaken) == len(box) and still),
         f"In each of {len(box)} runs some box is thrown back by more than {SHAKEN} mm in all, by up to "
-        f"{digits(thrown)} mm; boxes are pressed into one another, and come to rest slowly.",
+        f"{digits(thrown)} mm where all keep their order; boxes are pressed into one another, and come to rest slowly.",
         "Nobody ever goes back, is in another, or moves once the row stands: 0 mm in exact numbers, as in the thesis "
         "and `repaired`."
         if still
         else "Bodies move back, into one another, or on.",
         (
             "A character whose velocity is set in every tick pushes boxes into a wall. In mm, for boxes of 1 m: how "
-            "far a box has gone **back** in all, how **deep** two were in one another, and how far a box's places "
-            f"**drift** in the last {TICKS * TICK:g} of {BOX_TICKS_AT_WALL * TICK:g} s. Of graphbodies all three are "
-            "0.",
-            "A row of boxes is pressed together and springs apart again, at last slowly: what **drifts** in the end no "
-            f"longer goes to and fro. A box was thrown out of the row, or over another, in {len(worst)} of the runs: "
-            f"{'; '.join(worst)}.",
+            "far a box has gone **back** in all, and how **deep** two were in one another; in the last "
+            f"{TICKS * TICK:g} of {BOX_TICKS_AT_WALL * TICK:g} s, how far one has **drifted**, and how much further "
+            "one has gone **to and fro**. Of graphbodies all four are 0.",
+            "A row of boxes is pressed together and springs apart again. Still going to and fro by more than "
+            f"{RESTLESS} mm in the end: {named(box, 'shake', RESTLESS)}. Elsewhere boxes only drift, one way. "
+            f"Thrown out of the row, or over another box: {named(box, 'overlap', PASSED)}.",
         ),
         facts_of_wall(box),
-        tuple(rows_of_wall(box)),
+        rows_of_wall(box),
         ("wall", "How far boxes are thrown back that are pushed into a wall"),
     )
 
 
-def rows_of_wall(box: dict[tuple[float, ...], Line]) -> list[tuple[str, ...]]:
-    """What becomes of boxes at a wall, by their number."""
-    names = [f"mu {friction:g}, {speed:g} m/s" for friction, speed in AT_WALL]
-    rows = [("boxes", *(f"{name}: {key}" for name in names for key in ("back", "deep", "drift")))]
-    for boxes in BOXES_AT_WALL:
-        lines = [box[boxes, friction, speed] for friction, speed in AT_WALL]
-        cells = (f"{number(line, key):.1f}" for line in lines for key in ("back", "overlap", "drift"))
-        rows.append((f"{boxes:g}", *cells))
-    return rows
+def named(box: dict[tuple[float, ...], Line], key: str, threshold: float) -> str:
+    """The runs in which something reaches a threshold, or `none`."""
+    return "; ".join(str(line["run"]) for line in box.values() if number(line, key) >= threshold) or "none"
+
+
+def rows_of_wall(box: dict[tuple[float, ...], Line]) -> Rows:
+    """What becomes of boxes at a wall."""
+    header = ("friction", "m/s", "boxes", "back", "deep", "drifted", "to and fro")
+    lines = (box[boxes, friction, speed] for friction, speed in AT_WALL for boxes in BOXES_AT_WALL)
+    rows = (
+        (
+            *(f"{line[key]:g}" for key in ("friction", "speed", "boxes")),
+            *(f"{line[key]:.1f}" for key in ("back", "overlap", "drift", "shake")),
+        )
+        for line in lines
+    )
+    return header, *rows
 
 
 def facts_of_wall(box: dict[tuple[float, ...], Line]) -> tuple[Fact, ...]:
-    """What was recorded of E6: how far apart places are in the last two seconds."""
+    """What was recorded of E6: how far apart the places of a box are in the last two seconds."""
     facts = []
     for boxes, recorded in ((5, 3), (20, 32)):
-        lines = [box[boxes, *how] for how in AT_WALL if how[0]]
-        drifts, shakes = (" and ".join(f"{number(one, key):.1f}" for one in lines) for key in ("drift", "shake"))
-        here = f"places differ by {drifts} mm, but by a drift one way; to and fro by {shakes} mm"
-        same = all(number(one, "shake") > recorded / 2 for one in lines)
-        facts.append(Fact("E6", f"n = {boxes}: {recorded} mm of jitter in the end", here, same))
+        lines = [box[boxes, friction, speed] for friction, speed in AT_WALL if friction]
+        here = (
+            f"at {one['speed']:g} m/s drift {one['drift']:.1f} mm, to and fro {one['shake']:.1f} mm" for one in lines
+        )
+        same = any(abs(number(one, "drift") - recorded) < 1 for one in lines)
+        facts.append(Fact("E6", f"n = {boxes}: {recorded} mm of jitter", "drift " + "; ".join(here), same))
     return tuple(facts)
 
 

@@ -56,9 +56,14 @@ def on_flat(line: Line) -> bool:
     return line["degrees"] == 0
 
 
-def rubbing(turning: bool) -> Chosen:
-    """A run on a slope with friction, in which the box may turn or not."""
-    return lambda line: line["degrees"] != 0 and line["friction"] != 0 and line["turning"] == turning
+def rubbing(turning: bool, slope: float | None = None) -> Chosen:
+    """A run on a slope with friction, or on that slope, in which the box may turn or not."""
+
+    def chosen(line: Line) -> bool:
+        steep = line["degrees"] != 0 if slope is None else line["degrees"] == slope
+        return steep and line["friction"] != 0 and line["turning"] == turning
+
+    return chosen
 
 
 def gravity_slope(tables: Tables) -> Finding:
@@ -126,10 +131,11 @@ def known(tables: Tables) -> tuple[str, ...]:
     scattered = [name for name, best in fits.items() if max(best) - min(best) > NEAR]
     ten = [name for name, best in fits.items() if off(best, FITTED) < NEAR]
     return (
-        f"**What is known.** It is neither the engine nor its settings: under {letters(as_ever)} what fits best is "
-        f"{UNITY}. Under {letters(scattered)} it differs from run to run, so that no gravity fits all; these are the "
-        "reason only if 10 was best on the whole, by the choice of the runs. Within "
-        f"{NEAR:g} of {FITTED:g} at every angle and speed is {' and '.join(ten) or 'none'}.",
+        f"**What is known.** It is neither the engine nor its settings: {UNITY} is what fits best with "
+        f"{letters(as_ever)}.",
+        f"What fits best differs from run to run with {letters(scattered)}. These can be the reason only if 10 was "
+        f"best on the whole, by the choice of the runs. Within {NEAR:g} of {FITTED:g} at every angle and speed is: "
+        f"{letters(ten) or 'none'}.",
         '`getSteepness()` "returns the dot product between the up vector and the vector that points from one '
         'EdgePosition in 3D space to the other" (6.3.2): the text does not say that this vector is normalised. 0.01 is '
         "the distance at which Unity's 2D physics takes shapes to touch, if nothing else is set. With such a vector "
@@ -147,7 +153,7 @@ def letters(names: list[str]) -> str:
     found = {name[:3]: [other for other in names if other[:3] == name[:3]] for name in names}
     every = {name[:3]: [guess.name for guess in GUESSES if guess.name[:3] == name[:3]] for name in names}
     told = [key if found[key] == every[key] else "; ".join(found[key]) for key in found]
-    return ", ".join(told[:-1]) + " and " + told[-1] if len(told) > 1 else "".join(told)
+    return "; ".join(told)
 
 
 def off(best: list[float], gravity: float) -> float:
@@ -276,19 +282,11 @@ def normal_force(tables: Tables) -> Finding:
 
 def rows_of_slopes(tables: Tables) -> Rows:
     """The greatest distances, by slope."""
-    table = {
-        slope: [
-            length(furthest(tables, engine, UNITY, lambda line, at=slope, may=may: rubbing(may)(line) and on(line, at)))
-            for engine, may in COLUMNS
-        ]
-        for slope in sorted({run.degrees for run in RUBBING})
-    }
-    return tuple((f"{slope:g}", *cells) for slope, cells in table.items())
-
-
-def on(line: Line, slope: float) -> bool:
-    """Whether a run is on that slope."""
-    return line["degrees"] == slope
+    slopes = sorted({run.degrees for run in RUBBING})
+    cells = [
+        [length(furthest(tables, engine, UNITY, rubbing(may, slope))) for engine, may in COLUMNS] for slope in slopes
+    ]
+    return tuple((f"{slope:g}", *row) for slope, row in zip(slopes, cells, strict=True))
 
 
 def facts_of_friction(tables: Tables, worst: Line, turning: float, still: float) -> tuple[Fact, ...]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import csv
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import NamedTuple
@@ -31,7 +31,7 @@ class Table:
     """A table of a run, by the name of its file."""
 
     name: str
-    lines: list[Line]
+    lines: Sequence[Line]
 
     def of(self, engine: str) -> list[Line]:
         """The lines about one engine."""
