@@ -8,6 +8,7 @@ from pathlib import Path
 
 import msgspec
 import pytest
+from independent.levels import scenario as scenario_of
 
 from properties.claims.claim import Verdict
 from properties.claims.velocity import CLAIMS
@@ -18,7 +19,9 @@ from properties.contracts.physics import GRAVITY, on_a_slope
 from properties.contracts.request import judged
 from properties.contracts.velocities import any_material
 from properties.engine.explore import explore
+from properties.evidence.mended import broken_in_plane
 from properties.slides import with_numbers
+from reference.formats.files import FormatError
 from reference.formats.level import LevelRecord, level_of, level_record
 from reference.play import LIBRARY, play
 from reference.recording import header_of, lines_of
@@ -429,3 +432,59 @@ def test_the_numbers_on_the_page_are_those_of_the_rules():
 def test_each_profile_has_the_rules_of_velocity_that_it_says():
     assert OF_REQUESTS["thesis/overshoot"].velocity is THESIS.velocity is PRINTED
     assert MENDED_VELOCITY.velocity is REPAIRED.velocity is MENDED
+
+
+def test_numbers_that_grow_beyond_what_files_hold_are_refused_in_time_and_floats_are_not(tmp_path):
+    level = msgspec.to_builtins(record(velocity="1", material={"damping": "1/3"}))
+    scenario = {"format": "graphbody/scenario@1", "name": "long", "level": level, "profile": "thesis/mended-velocity"}
+    path = tmp_path / "long.json"
+    path.write_bytes(msgspec.json.encode({**scenario, "steps": [{"tick": {"key": "none", "times": 1000}}]}))
+    with pytest.raises(FormatError, match=r"\$\.steps\[0\]: tick \d+: 'A': expected numbers whose common denominator"):
+        list(play(path).steps)
+    assert len(list(play(path, floats=True).steps)) == 1000
+
+
+@pytest.mark.parametrize("seed", range(8))
+@pytest.mark.parametrize("profile", [THESIS, MENDED_VELOCITY], ids=lambda profile: profile.name)
+def test_float_traces_of_random_slides_conform(profile, seed, tmp_path):
+    level = level_record(physics.any_slide(physics.Random(seed)), "slides")
+    scenario = {"format": "graphbody/scenario@1", "name": "slides", "level": msgspec.to_builtins(level)}
+    steps = [{"tick": {"key": "none", "times": 12}}]
+    path = tmp_path / "slides.json"
+    path.write_bytes(msgspec.json.encode({**scenario, "profile": profile.name, "steps": steps}))
+    playing = play(path, floats=True)
+    found = report(tmp_path, [header_of(playing, floats=True), *lines_of(playing)])
+    assert found.conforms
+    assert found.found.total() == 12
+
+
+def slides_on_storeys(seed):
+    """A random scenario of `repaired` in which boxes slide, and characters walk."""
+    random = physics.Random(seed)
+    given = scenario_of(random, f"slides {seed}")
+    for body in given["level"]["bodies"]:
+        if Fraction(body.get("speed", "0")) == 0:
+            body["velocity"] = str(Fraction(random.randint(-12, 12), 4))
+            friction, damping = Fraction(random.randint(0, 4), 8), random.choice(["0", "1", "2"])
+            if random.random() < 0.7:
+                body["material"] = {"gravity": "8", "friction": str(friction), "damping": damping}
+    keys = ("left", "right", "none")
+    return {**given, "steps": [{"tick": {"key": random.choice(keys), "times": 4}} for _ in range(3)]}
+
+
+@pytest.mark.parametrize("floats", [False, True], ids=["exact", "floats"])
+@pytest.mark.parametrize("seed", range(30))
+def test_slides_on_random_storeys_keep_bodies_apart_and_conform(seed, floats, tmp_path):
+    path = tmp_path / "slides.json"
+    path.write_bytes(msgspec.json.encode(slides_on_storeys(seed)))
+    try:
+        playing = play(path, floats)
+    except FormatError:
+        pytest.skip("no level of storeys")
+    before = playing.game.world
+    for _ in playing.steps:
+        assert floats or list(broken_in_plane(before, playing.game.world)) == []
+        before = playing.game.world
+    again = play(path, floats)
+    found = report(tmp_path, [header_of(again, floats), *lines_of(again)])
+    assert found.conforms, found.first

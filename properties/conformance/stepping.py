@@ -75,7 +75,6 @@ class OfSteps:
         if judgement.finding in (Finding.AGREES, Finding.ONE_OF_SEVERAL):
             said += of_the_moves(step.line, step.asked, judgement.expected, tolerance, rules_known=False)
             said += self.of_the_events(step.line, outcome) if not tolerance else ()
-            said += of_the_velocities(step.after, self.left(step, outcome), tolerance)
         return judgement, said
 
     def motions(self, before: World[Fraction], line: LineRecord) -> dict[int, Motion[Fraction]]:
@@ -101,6 +100,7 @@ class OfSteps:
         before, seen = self.storeys(step.before), self.storeys(step.after)
         outcome = self.outcome(before, self.driven(step.before, step.line))
         differences = tuple(self.displaced(outcome.storeys, seen, tolerance, step.after))
+        differences += tuple(of_the_velocities(step.after, self.left(step, outcome), tolerance))
         finding = Finding.AGREES
         if differences:
             finding, outcome = self.among_all_ways(step, before, seen, tolerance, outcome)
@@ -167,11 +167,16 @@ class OfSteps:
 
         try:
             for outcome in every_way(one_way, MOST_WAYS) if tolerance else ():
-                if outcome is not None and not any(self.elsewhere(outcome.storeys, seen, tolerance)):
+                if outcome is not None and self.agrees(step, outcome, seen, tolerance):
                     return Finding.ONE_OF_SEVERAL, outcome
         except TooManyWays:
             return Finding.AMBIGUOUS, first
         return Finding.DIVERGES, first
+
+    def agrees(self, step: Step, outcome: Outcome, seen: StoreyWorld[Any], tolerance: Fraction) -> bool:
+        """Whether bodies are seen where an outcome has them, with the velocities that it leaves to them."""
+        wrong = of_the_velocities(step.after, self.left(step, outcome), tolerance)
+        return not any(self.elsewhere(outcome.storeys, seen, tolerance)) and not any(wrong)
 
     def displaced(
         self, expected: StoreyWorld[Any], seen: StoreyWorld[Any], tolerance: Fraction, after: World[Fraction]

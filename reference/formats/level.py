@@ -224,6 +224,8 @@ def distances_per_tick(level: Level[Fraction]) -> Iterator[tuple[str, tuple[Frac
     """How far the bodies of a level want to move in a tick, with their places."""
     for i, body in enumerate(level.bodies):
         yield f"$.bodies[{i}].speed", (body.speed * level.tick,)
+        if body.motion is not None:
+            yield f"$.bodies[{i}].velocity", (body.motion.velocity, body.motion.velocity * level.tick)
 
 
 def tops_of(record: LevelRecord, statics: int) -> Tops:
