@@ -17,7 +17,7 @@ SOURCE := $(shell find spec reference properties -name '*.py')
 
 .PHONY: help
 help: ## list the targets
-	@awk -F ':.*## ' '/^[a-z.-]+:.*## / { printf "  make %-14s %s\n", $$1, $$2 }' $(firstword $(MAKEFILE_LIST))
+	@awk -F ':.*## ' '/^[a-z.-]+:.*## / { printf "  make %-16s %s\n", $$1, $$2 }' $(firstword $(MAKEFILE_LIST))
 
 # The packages exactly as pinned: made from nothing whenever the pins change.
 $(PINNED): requirements.txt

@@ -1,4 +1,4 @@
-"""What is run: slopes, speeds, coefficients and numbers of boxes. The thesis does not say which it used."""
+"""What is run: slopes, speeds, coefficients and numbers of boxes. The text of the thesis does not say which it had."""
 
 from __future__ import annotations
 

@@ -25,9 +25,9 @@ in [evaluation](evaluation), of which each line names what was run, by which eng
 
 ENDING = """## What the figures do not say
 
-The runs of the thesis are not printed: its inclinations, speeds, coefficients and numbers of boxes are unknown, and so
-are the sizes of its bodies. Unity's engine is a changed Box2D, and was not run. Times are those of one run on one
-machine, in microseconds of the processor, the least of some; everything else is the same in every run on the same
+The text of the thesis does not say its inclinations, speeds, coefficients and numbers of boxes, nor the sizes of its
+bodies; its figures were not measured. Unity's engine is a changed Box2D, and was not run. Times are those of one run on
+one machine, in microseconds of the processor, the least of some; everything else is the same in every run on the same
 machine. A computer that rounds otherwise may throw boxes otherwise.
 """
 

@@ -1,7 +1,7 @@
 """Box2D: what rigid bodies do, with the settings of Unity's 2D physics where they are not the thing that is tried.
 
 Boxes are one unit wide and high, and of density 1. A ground is one polygon. Bodies never sleep, so that what rests does
-so because of the solver. Box2D keeps the skins of shapes apart by 3/2 of its slop: boxes start at that height.
+so because of the solver. Between shapes at rest Box2D leaves three times its slop: boxes start at that height.
 """
 
 from __future__ import annotations
