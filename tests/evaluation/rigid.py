@@ -114,7 +114,7 @@ def rests(degrees: float, friction: float) -> bool:
 def pushed(boxes: int, friction: float, speed: float, wall: bool) -> Iterator[list[float]]:
     """Where a character and the boxes before it are after each tick; its velocity is set in every tick.
 
-    Between two bodies there is a quarter of a unit, and as much before a wall; without a wall they touch.
+    Between two bodies there is a quarter of a unit, and as much before a wall; without a wall, a little.
     """
     world, apart = ground(0, friction, UNITY_SETTINGS), 1.25 if wall else 1 + 2 * AT_REST
     bodies = [box(world, 0, place * apart, friction, UNITY_SETTINGS) for place in range(boxes + 1)]

@@ -143,8 +143,8 @@ def known(tables: Tables) -> tuple[str, ...]:
         "A body that moves before it finds its velocity comes near 10 too, in runs of two to three seconds; but the "
         "shorter the run, the greater the gravity that fits, and none fits well.",
         "**What is not known.** Of the prototype's code the thesis prints figure 6.7 only, and its text has no number "
-        "of the runs behind figure 6.10. That borders were inset is a guess, if the only one here that explains what is "
-        "said. Not tried is a minimum or maximum of the velocity, with which places are no longer linear in gravity.",
+        "of the runs behind figure 6.10. That borders were inset is a guess, if the only one here that explains what "
+        "is said. Not tried is a minimum or maximum of velocity, with which places are no longer linear in gravity.",
     )
 
 
