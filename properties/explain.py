@@ -21,6 +21,7 @@ from reference.formats.files import FormatError, read
 from reference.play import LIBRARY, library, play
 from reference.simulator import Fulfilled
 from spec.differences import DIFFERENCES, Difference
+from spec.evaluated import Evaluated
 from spec.models import Model
 from spec.profiles import Profile, SteppedProfile
 from spec.readings import Reading
@@ -135,6 +136,9 @@ def facts(statement: Statement) -> Iterator[Fact]:
     elif isinstance(statement, Model | Difference):
         yield Fact("seen in scenario", statement.scenario)
         yield replay(LIBRARY / "scenarios" / f"{statement.scenario}.json")
+    elif isinstance(statement, Evaluated):
+        yield Fact("judgement", statement.judgement.value)
+        yield Fact("measured in", f"docs/evaluation.md#{statement.section}")
     elif isinstance(statement, Reading):
         yield Fact("others could read", statement.others)
         if statement.scenario:

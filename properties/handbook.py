@@ -51,6 +51,12 @@ PAGES = (
     ),
     Page("differences.md", "Differences", "Why `repaired` ends otherwise than `thesis`.", ("difference",)),
     Page("designs.md", "Designs", "How else bodies could be represented.", ("design",)),
+    Page(
+        "evaluated.md",
+        "Evaluated",
+        "What the thesis found of its prototype, and what a run here shows.",
+        ("evaluation",),
+    ),
     Page("models.md", "Models", "What the level, the graph and time are.", ("model",)),
 )
 

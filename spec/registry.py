@@ -10,6 +10,7 @@ from spec.designs import DESIGNS
 from spec.differences import DIFFERENCES
 from spec.discrete import DISCRETE, DISCRETE_INVARIANTS, DISCRETE_RULES
 from spec.display import DISPLAY_RULES, OF_DISPLAY
+from spec.evaluated import EVALUATED
 from spec.guidelines import GUIDELINES
 from spec.invariants import OF_ONE_REQUEST, RELATIONS
 from spec.models import MODELS, OF_GRAPHS, OF_STOREYS as MODELS_OF_STOREYS
@@ -78,8 +79,8 @@ def statements() -> dict[str, Statement]:
     rules = {rule.id: rule for rule in of_profiles}.values()
     everything: list[Statement] = [*PROFILES.values(), *rules, *MODELS, *OF_ONE_REQUEST, *RELATIONS, *IN_PLANE]
     everything += [*OF_ONE_STEP, *STEP_RELATIONS, *CONDITIONS, *GUIDELINES, *READINGS, *CASES, *RECORDED]
-    everything += DIFFERENCES
     everything += [*DISPLAY_RULES, *OF_DISPLAY, *DESIGNS, DISCRETE, *DISCRETE_RULES, *DISCRETE_INVARIANTS]
+    everything += [*DIFFERENCES, *EVALUATED]
     table: dict[str, Statement] = {}
     for statement in everything:
         if table.setdefault(statement.id, statement) is not statement:
