@@ -16,7 +16,7 @@ from spec.rule import AnyRule, Family
 from spec.rules.request import FAMILIES, Rules
 from spec.rules.step import STEP_FAMILIES
 from spec.stepped import OF_ONE_STEP, STEP_RELATIONS
-from spec.unsupported import CASES, RECORDED
+from spec.unsupported import CASES, OF_CHANGES, OF_LEVELS
 
 
 class Statement(Protocol):
@@ -62,7 +62,7 @@ def statements() -> dict[str, Statement]:
     """
     rules = {rule.id: rule for profile in PROFILES.values() for rule in rules_of(profile)}.values()
     everything: list[Statement] = [*PROFILES.values(), *rules, *MODELS, *OF_ONE_REQUEST, *RELATIONS, *IN_PLANE]
-    everything += [*OF_ONE_STEP, *STEP_RELATIONS, *CONDITIONS, *GUIDELINES, *READINGS, *CASES, *RECORDED]
+    everything += [*OF_ONE_STEP, *STEP_RELATIONS, *CONDITIONS, *GUIDELINES, *READINGS, *CASES, *OF_LEVELS, *OF_CHANGES]
     everything += DIFFERENCES
     table: dict[str, Statement] = {}
     for statement in everything:
