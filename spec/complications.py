@@ -66,15 +66,16 @@ def lands_in_terrain(deed: Deed[Any], fired: Fired) -> Truth:
 
 
 def lands_through_a_floor(deed: Deed[Any], fired: Fired) -> Truth:
-    """It fell or jumped to below terrain over which it was, and under which it is now."""
+    """It fell or jumped to under terrain over which it was, or into its underside."""
     world: Any = deed.after
     mine, level = box(world, deed.body), heights(deed.before, deed.body)[0]
     if not landed(fired) or mine is None or mine.bottom is None:
         return False
     return some(
-        (mine.bottom < image.top) & (image.top <= level) & (mine.left < image.right) & (image.left < mine.right)
+        (mine.bottom < image.bottom) & (image.top <= level) & (mine.left < image.right) & (image.left < mine.right)
         for solid in terrain(world)
         for image in images(world, solid)
+        if image.bottom is not None
     )
 
 
@@ -82,7 +83,8 @@ def riders_meet(deed: Deed[Any]) -> Truth:
     """Whether a rider of the mover is in terrain, or beside a body that is none of them, nearer than the margin."""
     carried = riders_of(deed)
     others = all_but(deed.after, [deed.body, *carried])
-    return nearer(deed.after, carried, others, deed.after.margin) | in_terrain(deed.after, carried)
+    near = nearer(deed.after, carried, others, deed.after.margin)
+    return some([near, in_terrain(deed.after, carried)])
 
 
 def carries_into(deed: Deed[Any], fired: Fired) -> Truth:

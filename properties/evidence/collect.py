@@ -90,3 +90,8 @@ def collect(program: Callable[[Given], Marks]) -> Places:
 def possible(place: Place, names: Iterable[str]) -> list[str]:
     """Of some marks, those that are not false as they stand."""
     return [name for name in names if not z3.is_false(place.marks[name])]
+
+
+def can_vary(place: Place, name: str) -> bool:
+    """Whether a mark is not true as it stands."""
+    return not z3.is_true(place.marks[name])

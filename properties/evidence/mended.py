@@ -8,6 +8,8 @@ from pathlib import Path
 
 from msgspec.structs import replace
 
+from reference.formats.level import LevelRecord
+from reference.formats.scenario import ScenarioRecord
 from reference.play import LIBRARY, Played, read_playable, set_up, steps
 from reference.world import World
 from spec.graph import Direction
@@ -61,13 +63,17 @@ def replayed(path: Path) -> int:
         AssertionError: if a step breaks what is promised.
         LevelError: if its level is not one of storeys.
     """
-    scenario, level = read_playable(path)
+    return replayed_from(*read_playable(path))
+
+
+def replayed_from(scenario: ScenarioRecord, level: LevelRecord) -> int:
+    """The same of a scenario at hand, and its level."""
     game = set_up(replace(scenario, profile=REPAIRED.name), level, floats=False)
     before = game.world
     number = 0
-    for number, step in enumerate(steps(game, scenario.steps, False, path), start=1):
+    for number, step in enumerate(steps(game, scenario.steps, False, Path(scenario.name)), start=1):
         broken = [*broken_in_plane(before, game.world), *broken_by(step)]
-        assert not broken, f"{path.stem}, step {number}: {', '.join(broken)}"
+        assert not broken, f"{scenario.name}, step {number}: {', '.join(broken)}"
         before = game.world
     return number
 

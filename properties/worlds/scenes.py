@@ -23,10 +23,14 @@ HEIGHTS = (Fraction(0), ONE, ONE + ONE)
 
 @dataclass(frozen=True)
 class Stand:
-    """Where a body stands: on a ground edge (by its place from the left), or on the top of an earlier body."""
+    """Where a body stands: on a ground edge (by its place from the left), or on the top of an earlier body.
+
+    On ground it may overhang the ledge on one side.
+    """
 
     edge: int | None = None
     top: int | None = None
+    overhang: Direction | None = None
 
 
 @dataclass(frozen=True)
@@ -114,9 +118,14 @@ def scene(given: Given, shape: Shape, guided: bool) -> tuple[Level[Any], Any]:
         name, left = chr(65 + place), given.number(f"left of {chr(65 + place)}")
         edge = len(graph.edges) + stand.top if stand.top is not None else ground[stand.edge or 0]
         length = widths[stand.top] if stand.top is not None else graph.edges[edge].length
-        if stand.top is not None:
+        if stand.overhang is Direction.LEFT:
+            left = left * -1
+            given.assume((left < 0) & (left + width > 0))
+        if stand.top is not None or stand.overhang is Direction.RIGHT:
             given.assume(left < length)
             right = EdgePosition(edge, left + width)
+            if stand.overhang is not None:
+                given.assume(right.location > length)
         else:
             right = right_border(given, graph, edge, left + width)
             given.assume(left < length)
