@@ -29,7 +29,7 @@ from spec.plane import (
 from spec.profiles import OVERSHOOT, THESIS, Profile
 from spec.readings import LANDING, LANDING_OVERSHOOT
 from spec.rules.request import Rules
-from spec.unsupported import CASES
+from spec.unsupported import PRINTED
 
 Promise = Callable[[Deed[Any], frozenset[str]], Truth]
 PROFILES = (THESIS, OVERSHOOT)
@@ -263,4 +263,4 @@ DEFECTS: tuple[Claim, ...] = (
     ),
 )
 
-CLAIMS: tuple[Claim, ...] = (*LEAVING, *DEFECTS, *ONE_OR_TWO, *(of_case(case) for case in CASES))
+CLAIMS: tuple[Claim, ...] = (*LEAVING, *DEFECTS, *ONE_OR_TWO, *(of_case(case) for case in PRINTED))
