@@ -120,6 +120,13 @@ def walks_into_other_strings(deed: Deed[Any], fired: Fired) -> Truth:
     return False if landed(fired) else nearer(world, [deed.body], others, world.margin)
 
 
+def out_of_sight(deed: Deed[Any], fired: Fired) -> Truth:
+    """It neither fell nor jumped, and is nearer than the margin to a body on its own string, which it has not seen."""
+    world: Any = deed.after
+    others = [other for other in world.row(deed.body).order if other != deed.body]
+    return False if landed(fired) else nearer(world, [deed.body], others, world.margin)
+
+
 def blocked_from_above(deed: Deed[Any], fired: Fired) -> Truth:
     """It is blocked at a ledge by bodies that are all higher up than it is tall."""
     if "leave/blocked" not in fired:
@@ -201,6 +208,12 @@ FOUND: tuple[Case, ...] = (
         "A body walks to a body on another string, or nearer to it than the margin.",
         "6.2.2; U9, A12",
         walks_into_other_strings,
+    ),
+    Case(
+        "unsupported/out-of-sight",
+        "A body walks to nearer than the margin to one on its own string, beyond an edge that is shorter than that.",
+        "6.2.1; R24, A12",
+        out_of_sight,
     ),
     Case(
         "unsupported/blocked-from-above",

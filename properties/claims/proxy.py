@@ -32,6 +32,7 @@ CLAIMS: tuple[Claim, ...] = (
             proxy.falls_only_where_free,
             verdict,
             (1, 2),
+            long=True,
         )
         for profile, verdict in ((THESIS, Verdict.BOUNDED), (OVERSHOOT, Verdict.REFUTED))
     ),

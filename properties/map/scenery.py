@@ -53,3 +53,8 @@ def storeys() -> list[Shape]:
         for top, other, height, thickness in product((ONE, TWO), (1, 2), (ONE + HALF, TWO), (HALF / 2,))
     ]
     return [*beside, Shape((TWO, ONE * 0, ONE), (on, under, Stand(edge=2)))]
+
+
+def short_edges() -> list[Shape]:
+    """Two bodies on three edges of level ground, which may be shorter than the margin."""
+    return [Shape((ONE * 0,) * 3, (Stand(edge=0), Stand(edge=2)), short=True)]

@@ -40,6 +40,7 @@ GROUPS: dict[str, Callable[[], list[Shape]]] = {
     "crowds": scenery.crowds,
     "overhangs": scenery.overhangs,
     "storeys": scenery.storeys,
+    "short edges": scenery.short_edges,
 }
 GENERAL = "unsupported/other-strings"
 UNCATALOGUED = "an invariant is broken, and no case has happened"

@@ -43,11 +43,12 @@ class Platform:
 
 @dataclass(frozen=True)
 class Shape:
-    """The shape of a scene; see the module."""
+    """The shape of a scene; see the module. Edges are no shorter than the margin, unless they may be `short`."""
 
     heights: tuple[Fraction, ...]
     stands: tuple[Stand, ...]
     platform: Platform | None = None
+    short: bool = False
 
     @property
     def size(self) -> tuple[int, int, int]:
@@ -110,7 +111,7 @@ def scene(given: Given, shape: Shape, guided: bool) -> tuple[Level[Any], Any]:
     for width in widths:
         given.assume(width > margin)
     for length in lengths:
-        given.assume(length >= (widths[0] if guided else margin))
+        given.assume(length > 0 if shape.short else length >= (widths[0] if guided else margin))
     graph = profile_of_heights(shape, lengths)
     ground = [i for i, edge in enumerate(graph.edges) if edge.type is EdgeType.GROUND]
     bodies = []
