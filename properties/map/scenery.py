@@ -46,13 +46,14 @@ def is_ledge(shape: Shape, edge: int, direction: Direction) -> bool:
 
 
 def storeys() -> list[Shape]:
-    """A few shapes with more than one difficulty: a platform beside a ledge, and three bodies on three heights."""
+    """A few shapes with more than one difficulty: a platform beside a ledge or on a body, and three heights."""
     on, under = Stand(edge=0), Stand(edge=1)
+    sharp = Shape((ONE * 0,) * 3, (Stand(top=1), on), Platform(ONE, ONE * 0))
     beside = [
         Shape((top, ONE * 0), (on, Stand(edge=other)), Platform(height, thickness))
         for top, other, height, thickness in product((ONE, TWO), (1, 2), (ONE + HALF, TWO), (HALF / 2,))
     ]
-    return [*beside, Shape((TWO, ONE * 0, ONE), (on, under, Stand(edge=2)))]
+    return [*beside, sharp, Shape((TWO, ONE * 0, ONE), (on, under, Stand(edge=2)))]
 
 
 def short_edges() -> list[Shape]:
