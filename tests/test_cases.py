@@ -7,6 +7,8 @@ import msgspec
 import pytest
 
 from properties.conformance.validate import validate
+from properties.contracts.fitting import long_edges_fit
+from properties.engine.explore import explore
 from properties.evidence.deeds import do
 from properties.explain import everything, explain, find, of_row
 from properties.given import Exact
@@ -22,7 +24,7 @@ from spec.case import parts_of, ran_into
 from spec.conditions import PLANE_START
 from spec.errata import ERRATA
 from spec.graph import Direction
-from spec.profiles import THESIS
+from spec.profiles import OVERSHOOT, THESIS
 from spec.unsupported import CASES, OF_CHANGES, OF_LEVELS
 
 ZERO, ONE, TWO, QUARTER = Fraction(0), Fraction(1), Fraction(2), Fraction(1, 4)
@@ -249,3 +251,7 @@ def test_a_rule_at_fault_is_one_that_fired_for_the_body():
     assert carried.fault(case).startswith("walk/")
     with pytest.raises(ValueError, match="no body has run into"):
         carried.done[0].fault(next(case for case in CASES if case.id == "unsupported/short-pit"))
+
+
+def test_landings_that_overshoot_do_not_fit_long_edges():
+    assert explore(lambda given: long_edges_fit(OVERSHOOT.rules, given)).counterexample is not None

@@ -42,6 +42,12 @@ SHOWN: dict[str, str] = {
     "edges-below-margin-from-the-right": "A12",
     "ring-of-two": "E11",
     "difference-stopped-before": "U2",
+    "lands-near": "R24",
+    "lands-too-far": "A19",
+    "ridden-top": "A23",
+    "lands-in-terrain": "A16",
+    "blocked-from-above": "A20",
+    "overshoot-into-wall": "A15",
 }
 """Scenarios in which the thesis breaks something, and the row that says so."""
 
@@ -50,6 +56,7 @@ OUTSIDE: dict[str, str] = {
     "figure-6-6e-falling-on-the-middle": "platforms are half a storey thick: repaired-fall-onto-the-middle shows it",
     "figure-6-6f-sharp-ledge": "its fall edge slants: on storeys no box is under the tip of a ledge of its height",
     "figure-6-6f-sharp-ledge-in-front": "the same",
+    "through-floor": "its layer is a quarter of a storey thick",
     "blocked-by-tall-bodies": "its bodies have several heights",
     "smallest-drop": "its bodies have several heights",
 }

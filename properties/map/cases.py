@@ -7,6 +7,7 @@ from functools import partial
 from itertools import combinations
 from typing import Any
 
+from properties.map.linking import claim_link
 from properties.map.part import Finding, Findings, Part
 from properties.map.replay import Replay
 from properties.map.search import ALL, BY_ID, GROUPS, RANK, Witness, best, from_json, look_through
@@ -16,6 +17,8 @@ from spec.registry import statements
 from spec.unsupported import CASES, OF_CHANGES, OF_LEVELS, ChangeCase, LevelCase
 
 BOTH = (THESIS, OVERSHOOT)
+PROOFS = {(THESIS.name, "unsupported/landing-does-not-fit"): f", {claim_link('claim/long-edges-fit')}"}
+"""What shows of any level that keeps all guidelines that a case does not happen, under a profile."""
 
 
 def jobs() -> dict[str, Callable[[], Finding]]:
@@ -137,21 +140,22 @@ def matrix(profile: Profile, by_case: Mapping[str, Sequence[Witness]]) -> list[s
         "",
         f"| case | {' | '.join(RANK.values())} | all five | prevented by |",
         f"|---|{'---|' * (len(RANK) + 2)}",
-        *(row(case, found) for case, found in by_case.items()),
+        *(row(profile, case, found) for case, found in by_case.items()),
     ]
 
 
-def row(case: str, found: Sequence[Witness]) -> str:
+def row(profile: Profile, case: str, found: Sequence[Witness]) -> str:
     """The row of a case."""
-    cells = [cell(found, case, guideline) for guideline in ALL]
     name = case.removeprefix("unsupported/")
-    return f"| [{name}](#{name}) | {' | '.join(cells)} | {cell(found, case, *ALL)} | {preventing(found)} |"
+    cells = [cell(found, case, guideline) or "prevented" for guideline in ALL]
+    last = cell(found, case, *ALL) or ("prevented" + PROOFS.get((profile.name, case), ""))
+    return f"| [{name}](#{name}) | {' | '.join(cells)} | {last} | {preventing(found)} |"
 
 
 def cell(found: Sequence[Witness], case: str, *guidelines: str) -> str:
-    """A witness that keeps some guidelines, or that there is none."""
+    """A link to a witness that keeps some guidelines; empty if there is none."""
     one = that_keeps(found, *guidelines)
-    return "prevented" if one is None else f"[happens](map/witnesses/{name_of(one, case)}.json)"
+    return "" if one is None else f"[happens](map/witnesses/{name_of(one, case)}.json)"
 
 
 def preventing(found: Sequence[Witness]) -> str:

@@ -8,9 +8,9 @@ from typing import Any
 
 import msgspec
 
-from properties.claims.catalogue import CLAIMS
-from properties.claims.claim import Claim, Verdict
+from properties.claims.claim import Verdict
 from properties.handbook import slug
+from properties.map.linking import claim_link, claim_of
 from properties.map.part import Finding, Findings, Part
 from properties.map.replay import Replay
 from reference.play import LIBRARY, read_playable
@@ -82,16 +82,6 @@ def listed(names: Iterable[str]) -> str:
 def witness_link(one: Erratum) -> str:
     """A link to a witness."""
     return f"[{one.witness}](map/witnesses/erratum-{one.witness}.json)"
-
-
-def claim_link(name: str) -> str:
-    """A link to a claim, with its verdict."""
-    return f"[{name}](reference/claims.md#{slug(name)}) ({claim_of(name).expected})"
-
-
-def claim_of(name: str) -> Claim:
-    """The claim of an ID."""
-    return next(claim for claim in CLAIMS if claim.id == name)
 
 
 def broken(findings: Findings) -> Iterator[str]:

@@ -1,10 +1,12 @@
-"""The claims about the test of jump edges: where it tells whether the landing is free, and where not (E12, P9)."""
+"""The claims about landings: where they fit, and where the test of jump edges tells that they are free (E12, P9)."""
 
 from __future__ import annotations
 
 from properties.claims.claim import Claim, Erratum, Verdict
 from properties.claims.ledges import hunted
-from properties.contracts import proxy
+from properties.claims.string import of_rules
+from properties.contracts import fitting, proxy
+from spec.conditions import GUIDELINES
 from spec.profiles import OVERSHOOT, THESIS
 
 ABOUT = "reading/horizontal-distance"
@@ -35,6 +37,19 @@ CLAIMS: tuple[Claim, ...] = (
             long=True,
         )
         for profile, verdict in ((THESIS, Verdict.BOUNDED), (OVERSHOOT, Verdict.REFUTED))
+    ),
+    Claim(
+        id="claim/long-edges-fit",
+        family="ledges",
+        sentence="Within the guidelines every landing fits: a body that comes down at the near end of an edge stands "
+        "on that edge alone.",
+        source="6.2.2, 6.2.1d; E10, G1, G4, U11, A16",
+        about="fit",
+        profile=THESIS,
+        premises=(GUIDELINES.id,),
+        expected=Verdict.PROVED,
+        obligations=(of_rules(fitting.long_edges_fit, GUIDELINES.id),),
+        long=True,
     ),
     wrong(
         "proxy-on-slanted-falls",
