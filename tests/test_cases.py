@@ -12,10 +12,10 @@ from properties.engine.explore import explore
 from properties.evidence.deeds import do
 from properties.explain import everything, explain, find, of_row
 from properties.given import Exact
-from properties.map import errata as errata_page, search as searching
+from properties.map import case_search as searching, errata as errata_page
+from properties.map.case_search import ALL, RANK, Search, Witness, as_json, best, from_json
 from properties.map.cases import preventing, that_keeps
 from properties.map.replay import Replay
-from properties.map.search import ALL, RANK, Search, Witness, as_json, best, from_json
 from properties.worlds.scenes import Platform, Shape, Stand, scene
 from reference.play import LIBRARY, read_playable
 from reference.recording import recording

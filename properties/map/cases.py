@@ -7,10 +7,10 @@ from functools import partial
 from itertools import combinations
 from typing import Any
 
+from properties.map.case_search import ALL, BY_ID, GROUPS, RANK, Witness, best, from_json, look_through
 from properties.map.linking import claim_link
 from properties.map.part import Finding, Findings, Part
 from properties.map.replay import Replay
-from properties.map.search import ALL, BY_ID, GROUPS, RANK, Witness, best, from_json, look_through
 from spec.case import Case
 from spec.profiles import OVERSHOOT, THESIS, Profile
 from spec.registry import statements

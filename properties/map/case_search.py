@@ -21,7 +21,7 @@ from properties.evidence.deeds import do
 from properties.evidence.hunt import MOVER, RIGHT, start_in_order
 from properties.evidence.witness import step_record
 from properties.given import Exact, Given
-from properties.map import scenery
+from properties.map import case_shapes
 from properties.map.part import Finding
 from properties.map.replay import Replay
 from properties.worlds.scenes import Shape, scene
@@ -35,12 +35,12 @@ from spec.profiles import OF_REQUESTS, Profile
 from spec.unsupported import CASES
 
 GROUPS: dict[str, Callable[[], list[Shape]]] = {
-    "steps": scenery.steps,
-    "platforms": scenery.platforms,
-    "crowds": scenery.crowds,
-    "overhangs": scenery.overhangs,
-    "storeys": scenery.storeys,
-    "short edges": scenery.short_edges,
+    "steps": case_shapes.steps,
+    "platforms": case_shapes.platforms,
+    "crowds": case_shapes.crowds,
+    "overhangs": case_shapes.overhangs,
+    "storeys": case_shapes.storeys,
+    "short edges": case_shapes.short_edges,
 }
 GENERAL = "unsupported/other-strings"
 UNCATALOGUED = "an invariant is broken, and no case has happened"
