@@ -57,6 +57,7 @@ PAGES = (
         "What the thesis found of its prototype, and what a run here shows.",
         ("evaluation",),
     ),
+    Page("errata.md", "Errata", "What is wrong with the rules as printed, and what mends it.", ("erratum",)),
     Page("models.md", "Models", "What the level, the graph and time are.", ("model",)),
 )
 

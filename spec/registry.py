@@ -10,6 +10,7 @@ from spec.designs import DESIGNS
 from spec.differences import DIFFERENCES
 from spec.discrete import DISCRETE, DISCRETE_INVARIANTS, DISCRETE_RULES
 from spec.display import DISPLAY_RULES, OF_DISPLAY
+from spec.errata import ERRATA
 from spec.evaluated import EVALUATED
 from spec.guidelines import GUIDELINES
 from spec.invariants import OF_ONE_REQUEST, RELATIONS
@@ -22,7 +23,7 @@ from spec.rules.request import FAMILIES, Rules
 from spec.rules.step import STEP_FAMILIES
 from spec.rules.velocity import VELOCITY_FAMILIES
 from spec.stepped import OF_ONE_STEP, STEP_RELATIONS
-from spec.unsupported import CASES, RECORDED
+from spec.unsupported import CASES, OF_CHANGES, OF_LEVELS
 
 
 class Statement(Protocol):
@@ -77,10 +78,31 @@ def statements() -> dict[str, Statement]:
     """
     of_profiles = [rule for one in PROFILES.values() for rule in (*rules_of(one), *velocity_rules_of(one))]
     rules = {rule.id: rule for rule in of_profiles}.values()
-    everything: list[Statement] = [*PROFILES.values(), *rules, *MODELS, *OF_ONE_REQUEST, *RELATIONS, *IN_PLANE]
-    everything += [*OF_ONE_STEP, *STEP_RELATIONS, *CONDITIONS, *GUIDELINES, *READINGS, *CASES, *RECORDED]
-    everything += [*DISPLAY_RULES, *OF_DISPLAY, *DESIGNS, DISCRETE, *DISCRETE_RULES, *DISCRETE_INVARIANTS]
-    everything += [*DIFFERENCES, *EVALUATED]
+    everything: list[Statement] = [
+        *PROFILES.values(),
+        *rules,
+        *MODELS,
+        *OF_ONE_REQUEST,
+        *RELATIONS,
+        *IN_PLANE,
+        *OF_ONE_STEP,
+        *STEP_RELATIONS,
+        *CONDITIONS,
+        *GUIDELINES,
+        *READINGS,
+        *CASES,
+        *OF_LEVELS,
+        *OF_CHANGES,
+        *DISPLAY_RULES,
+        *OF_DISPLAY,
+        *DESIGNS,
+        DISCRETE,
+        *DISCRETE_RULES,
+        *DISCRETE_INVARIANTS,
+        *DIFFERENCES,
+        *ERRATA,
+        *EVALUATED,
+    ]
     table: dict[str, Statement] = {}
     for statement in everything:
         if table.setdefault(statement.id, statement) is not statement:

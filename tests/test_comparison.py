@@ -76,6 +76,8 @@ REFUSED = {
     "printed-drag-by-the-way": SLOPE,
     "minimum-lets-begin": SLOPE,
     "no-higher-through-a-valley": SLOPE,
+    "proxy-on-slanted-falls": STEPS,
+    "proxy-on-tilted-landings": "to be level",
 }
 
 

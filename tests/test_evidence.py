@@ -32,6 +32,7 @@ FLOORS_OF_VERDICTS = {
         closed-form determinism additive translation one-rule-applies leaves-only-beyond no-jump-leads-up
         mirror edge-split full-circle margins-over-time order-over-time world-is-lawful
         landing-keeps-width stays-in-wall near-jump-edges landing-position landing-position/overshoot
+        long-edges-fit
         one-step-rule-applies contacts-do-not-close squeezed-bodies-stand speeds-are-wished
         one-velocity-rule-applies one-velocity-rule-applies/repaired speed-is-bounded speed-is-bounded/repaired
         friction-turns-nothing friction-turns-nothing/repaired resistance-only-resists resistance-only-resists/repaired
@@ -41,7 +42,8 @@ FLOORS_OF_VERDICTS = {
         one-display-rule-applies falls-are-smooth falls-arrive shown-upon-support turns-are-smooth
     """,
     BOUNDED: """
-        whole-rows terrain plane-apart-of-two horizontal-alone supports-end never-raised height-kept
+        proxy-on-level-ground whole-rows terrain plane-apart-of-two horizontal-alone
+        supports-end never-raised height-kept
         supports-end/overshoot never-raised/overshoot height-kept/overshoot
         rest-up-to-the-coefficient rest-up-to-the-printed-slope way-without-friction way-without-friction/repaired
         drag-leaves-a-part drag-leaves-a-part/repaired drag-takes-by-the-way
@@ -66,6 +68,7 @@ FLOORS_OF_VERDICTS = {
         rest-on-slopes friction-by-the-cosine printed-drag-by-the-way minimum-lets-begin
         no-higher-through-a-valley
         frames-do-not-matter nobody-is-shown-rising three-cost-as-two ledges-are-left-alike
+        no-other-strings proxy-on-level-ground/overshoot proxy-on-slanted-falls proxy-on-tilted-landings
     """,
 }
 
