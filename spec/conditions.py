@@ -95,6 +95,11 @@ def nobody_rides(start: Any, asked: Any) -> Truth:
     return all(start.support(body) is None for body in start.handles())
 
 
+def nobody_overhangs(start: Any, asked: Any) -> Truth:
+    """Every border is between the ends of its edge."""
+    return every(distance >= distance * 0 for body in start.handles() for distance in start.off_graph(body))
+
+
 def alone(start: Any, asked: Any) -> Truth:
     """There is one body."""
     return len(start.bodies) == 1
@@ -127,8 +132,9 @@ def out_of_the_way(start: Any, direction: Direction, ledge: Any, body: int, dist
     """A body is behind a ledge, seen in a direction, or at least so far beyond it."""
     edge, held = start.point(ledge)[0], start.bodies[body]
     near, far = (start.point(held.border(side))[0] for side in (direction.opposite, direction))
-    beyond: Truth = (near - edge) * direction >= distance
-    return beyond | ((far - edge) * direction <= distance * 0)
+    beyond = (near - edge) * direction >= distance
+    behind = (far - edge) * direction <= distance * 0
+    return beyond | behind  # type: ignore[no-any-return]
 
 
 def storeys_start(start: Any, asked: Any) -> Truth:
@@ -199,7 +205,15 @@ STOREYS_START = Condition(
 SHORT_REQUESTS = Condition(
     "condition/short-requests", "The distance asked is less than any body's width.", "6.2.1; A48, A55", short_requests
 )
-NOBODY_RIDES = Condition("condition/nobody-rides", "At the start nobody stands on a body.", "4.4; A27, A28", nobody_rides)
+NOBODY_RIDES = Condition(
+    "condition/nobody-rides", "At the start nobody stands on a body.", "4.4; A27, A28", nobody_rides
+)
+NOBODY_OVERHANGS = Condition(
+    "condition/nobody-overhangs",
+    "At the start no border is beyond the end of its edge.",
+    "4.3.1, 6.2.2; R7, U2, U9",
+    nobody_overhangs,
+)
 ALONE = Condition("condition/alone", "There is one body.", "8; O13", alone)
 TWO_AT_MOST = Condition("condition/two-at-most", "There are at most two bodies.", "8", two_at_most)
 ROOMY_GROUNDS = Condition(
@@ -229,6 +243,7 @@ CONDITIONS: tuple[Condition, ...] = (
     STOREYS_START,
     SHORT_REQUESTS,
     NOBODY_RIDES,
+    NOBODY_OVERHANGS,
     ALONE,
     TWO_AT_MOST,
     ROOMY_GROUNDS,

@@ -68,7 +68,7 @@ def up_obstructs(leaving: Departure[N, P], body: Any) -> Departure[N, P]:
 
 def landings_seen(leaving: Departure[N, P], body: Any) -> Departure[N, P]:
     """A landing where somebody stands is not free; that of a fall is then as if a jump edge led there."""
-    near = tuple(replace(jump, free=jump.free and has_room(leaving, jump.target)) for jump in leaving.near)
+    near = tuple(replace(jump, free=jump.free and bool(has_room(leaving, jump.target))) for jump in leaving.near)
     if not near and leaving.foot is not None and not has_room(leaving, leaving.foot):
         zero = zero_like(leaving.moved)
         near = (Jump(leaving.foot, zero, zero, free=False),)
@@ -79,7 +79,9 @@ def has_room(leaving: Departure[N, P], near_end: P) -> Truth:
     """Nobody is on the string where a body lands, up to a margin beyond its front border."""
     view: Wide[N, Any, P] = leaving.view  # type: ignore[assignment]
     room = view.room(near_end)
-    return room is None or room >= view.across(near_end, leaving.landing(leaving, near_end)) + leaving.width + view.margin
+    return (
+        room is None or room >= view.across(near_end, leaving.landing(leaving, near_end)) + leaving.width + view.margin
+    )
 
 
 def in_place(leaving: Departure[N, P], near_end: P) -> P:
@@ -98,32 +100,32 @@ def landing(choice: Landing) -> Callable[[Rules], Rules]:
     return lambda rules: replace(rules, landing=choice)
 
 
-MENDS: tuple[Mend, ...] = (
-    Mend(
-        "mend/margin-in-jump-test",
-        "Jump edges count whose horizontal distance is less than the width and the margin.",
-        "6.2.1; R24, R25, A20",
-        departing(near_with_margin),
-    ),
-    Mend(
-        "mend/any-that-leads-up",
-        "A ledge at which any near jump edge leads up is obstructed, whatever others there are.",
-        "6.2.1; R25, A23",
-        departing(up_obstructs),
-    ),
-    Mend(
-        "mend/look-at-landing",
-        "Where anybody stands within the width and the margin of a landing, nobody falls or jumps there.",
-        "6.2.1; O4, U9",
-        departing(landings_seen),
-    ),
-    Mend(
-        "mend/landing-in-place",
-        "A body that falls or jumps keeps its horizontal position, but as far as it fits before a wall.",
-        "1.2, 6.2.1d, 6.2.1e; R33, A15, A16, A19, U11",
-        landing(in_place),
-    ),
+MARGIN_IN_JUMP_TEST = Mend(
+    "mend/margin-in-jump-test",
+    "Jump edges count whose horizontal distance is less than the width and the margin.",
+    "6.2.1; R24, R25, A20",
+    departing(near_with_margin),
 )
+ANY_THAT_LEADS_UP = Mend(
+    "mend/any-that-leads-up",
+    "A ledge at which any near jump edge leads up is obstructed, whatever others there are.",
+    "6.2.1; R25, A23",
+    departing(up_obstructs),
+)
+LOOK_AT_LANDING = Mend(
+    "mend/look-at-landing",
+    "Where anybody stands within the width and the margin of a landing, nobody falls or jumps there.",
+    "6.2.1; O4, U9",
+    departing(landings_seen),
+)
+LANDING_IN_PLACE = Mend(
+    "mend/landing-in-place",
+    "A body that falls or jumps keeps its horizontal position, but as far as it fits before a wall.",
+    "1.2, 6.2.1d, 6.2.1e; R33, A15, A16, A19, U11",
+    landing(in_place),
+)
+
+MENDS: tuple[Mend, ...] = (MARGIN_IN_JUMP_TEST, ANY_THAT_LEADS_UP, LOOK_AT_LANDING, LANDING_IN_PLACE)
 
 
 def mended(profile: Profile, mends: Iterable[Mend]) -> Profile:

@@ -19,9 +19,18 @@ from properties.engine.reals import formula_of
 from properties.engine.simplest import Drawn, simplest_values
 from properties.evidence.deeds import do
 from properties.given import Exact, Given
-from properties.map.scenery import MOVER, RIGHT, Shape, any_level
+from properties.map.terrains import MOVER, RIGHT, Shape, any_level
 from reference.world import World
-from spec.conditions import ALONE, LEDGES_CLEAR, NOBODY_RIDES, PLANE_START, ROOMY_GROUNDS, SHORT_REQUESTS, TWO_AT_MOST
+from spec.conditions import (
+    ALONE,
+    LEDGES_CLEAR,
+    NOBODY_OVERHANGS,
+    NOBODY_RIDES,
+    PLANE_START,
+    ROOMY_GROUNDS,
+    SHORT_REQUESTS,
+    TWO_AT_MOST,
+)
 from spec.guidelines import GUIDELINES
 from spec.invariants import Invariant
 from spec.number import Truth
@@ -29,7 +38,7 @@ from spec.plane import HEIGHT_KEPT, IN_PLANE, NEVER_RAISED
 from spec.profiles import Profile
 from spec.unsupported import CASES, some
 
-CONDITIONS = (SHORT_REQUESTS, ROOMY_GROUNDS, NOBODY_RIDES, LEDGES_CLEAR, TWO_AT_MOST, ALONE)
+CONDITIONS = (SHORT_REQUESTS, ROOMY_GROUNDS, NOBODY_OVERHANGS, NOBODY_RIDES, LEDGES_CLEAR, TWO_AT_MOST, ALONE)
 GUIDELINE_IDS = tuple(one.id for one in GUIDELINES)
 NAMES = (*GUIDELINE_IDS, *(one.id for one in CONDITIONS))
 UNCATALOGUED = "no case of the catalogue happened"
@@ -46,15 +55,27 @@ def judged_in(shape: Shape) -> tuple[Invariant, ...]:
     return tuple(one for one in IN_PLANE if not shape.tilt or one not in (NEVER_RAISED, HEIGHT_KEPT))
 
 
-def request_in(shape: Shape, catalogue: bool, profile: Profile, given: Given) -> None:
+Starts = dict[object, dict[str, Truth]]
+"""What holds at a start, by the order of its bodies: over level ground it depends on nothing else of a path."""
+
+
+def order_of(world: World[Any]) -> object:
+    """Who is beside whom, and which edges borders are on."""
+    edges = tuple((body.left.edge, body.right.edge) for body in world.bodies)
+    return edges, tuple(tuple(row.order) for row in world.rows)
+
+
+def request_in(shape: Shape, catalogue: bool, starts: Starts, profile: Profile, given: Given) -> None:
     """Ask the first body of any level of a shape to move to the right; say what held before and what holds after."""
     level, asked = any_level(given, shape)
     world = World(level)
-    given.assume(PLANE_START.holds(world, asked), PLANE_START.id)
-    start = at_start(world, asked)
+    start = {} if shape.tilt else starts.setdefault(order_of(world), {})
+    if not start:
+        start.update({PLANE_START.id: PLANE_START.holds(world, asked), **at_start(world, asked)})
+    given.assume(start[PLANE_START.id], PLANE_START.id)
     deed, record = do(profile, world, MOVER, RIGHT, asked, asked * 0)
-    for name, held in start.items():
-        given.ensure(name, held)
+    for name in NAMES:
+        given.ensure(name, start[name])
     for invariant in judged_in(shape):
         given.ensure(invariant.id, invariant.holds(deed))
     if catalogue:
@@ -116,7 +137,7 @@ def trails(shape: Shape, profile: Profile, catalogue: bool = False) -> list[Trai
     Raises:
         EngineError: if the exploration is not exhaustive.
     """
-    survey = Survey(partial(judged, partial(request_in, shape, catalogue), profile))
+    survey = Survey(partial(judged, partial(request_in, shape, catalogue, {}), profile))
     outcome = survey.run()
     if not outcome.exhaustive:
         raise EngineError(f"{shape}: {outcome.open}")
@@ -200,6 +221,28 @@ def beyond(held: frozenset[str], conditions: Mapping[str, z3.BoolRef]) -> z3.Boo
     return z3.Or(z3.BoolVal(False), *(formula for name, formula in conditions.items() if name not in held))
 
 
+def first_within(found: Sequence[Trail]) -> list[Breach]:
+    """For each invariant that can be broken though all guidelines hold, the smallest trail on which it is."""
+    return firsts(found, GUIDELINE_IDS)
+
+
+def first_uncatalogued(found: Sequence[Trail]) -> list[Breach]:
+    """The same, though no case of the catalogue happened."""
+    return firsts(found, (*GUIDELINE_IDS, UNCATALOGUED))
+
+
+def firsts(found: Sequence[Trail], names: Sequence[str]) -> list[Breach]:
+    """For each invariant that can be broken though all that is named holds, the smallest trail on which it is."""
+    result: dict[str, Breach] = {}
+    for trail in sorted(found, key=lambda one: one.shape.size):
+        solver = solver_for_reals()
+        solver.add(*trail.drawn.signs(), *trail.literals, *(trail.said[name] for name in names))
+        for invariant, denial in trail.denials.items():
+            if invariant not in result and can_hold(solver, [denial]):
+                result[invariant] = Breach(frozenset(names), invariant, trail)
+    return [result[name] for name in sorted(result)]
+
+
 def witness(breach: Breach) -> dict[str, Fraction | bool]:
     """The simplest values on the trail of a breach that keep its conditions and break its invariant."""
     trail = breach.trail
@@ -214,6 +257,6 @@ def replayed(breach: Breach, values: Mapping[str, Fraction | bool], profile: Pro
         EngineError: if it is not so.
     """
     exact = Exact(values)
-    judged(partial(request_in, breach.trail.shape, False), profile, exact)
+    judged(partial(request_in, breach.trail.shape, False, {}), profile, exact)
     if breach.invariant not in exact.broken or breach.conditions & set(exact.broken):
         raise EngineError(f"{breach.invariant}: the witness does not replay on exact numbers: {values}")

@@ -8,8 +8,8 @@ shapes of their own (`claim/mirror`). Bodies may overhang ledges and tops at the
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from dataclasses import dataclass
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from itertools import product
 from typing import Any
@@ -18,6 +18,8 @@ from properties.given import Given
 from properties.worlds.scenes import Stand, ends_on_ground
 from spec.body import Body, EdgePosition, Level
 from spec.graph import Direction, Edge, EdgeType, Graph, Vertex
+from spec.invariants import every
+from spec.number import Truth
 
 ZERO, HALF, ONE, TWO = Fraction(0), Fraction(1, 2), Fraction(1), Fraction(2)
 LEVEL = (ONE, ZERO)
@@ -92,14 +94,11 @@ def terrain_of(shape: Shape, lengths: list[Any]) -> Graph[Any]:
 def any_level(given: Given, shape: Shape) -> tuple[Level[Any], Any]:
     """Any level of a shape, and any distance asked."""
     margin = given.number("margin")
-    given.assume(margin > 0)
     lengths = [given.number(f"length of ground {place}") for place in range(len(shape.steps) + 1)]
     names = [chr(65 + place) for place in range(len(shape.stands))]
     widths = [given.number("width" if shape.sizes else f"width of {name}") for name in names]
-    for width in widths:
-        given.assume(width > margin)
-    for length in lengths:
-        given.assume(length >= (widths[0] if shape.sizes else margin))
+    shortest = widths[0] if shape.sizes else margin
+    given.assume(every([margin > 0, *(width > margin for width in widths), *(one >= shortest for one in lengths)]))
     graph = terrain_of(shape, lengths)
     bodies = [
         body_at(given, graph, name, width, place_of(graph, stand, widths))
@@ -119,12 +118,12 @@ def place_of(graph: Graph[Any], stand: Stand, widths: list[Any]) -> tuple[int, A
 def body_at(given: Given, graph: Graph[Any], name: str, width: Any, place: tuple[int, Any]) -> Body[Any]:
     """A body whose left border is anywhere on an edge, or beyond its left end where that is a ledge or a corner."""
     edge, length = place
-    left = given.number(f"left of {name}")
-    if is_ledge(graph, edge, Direction.LEFT):
+    left, overhangs = given.number(f"left of {name}"), is_ledge(graph, edge, Direction.LEFT)
+    if overhangs:
         left = left - width
-        given.assume(left + width > 0)
-    given.assume(left < length)
-    return Body(name, EdgePosition(edge, left), right_border(given, graph, edge, left + width), ZERO, height=ONE)
+    right, fits = right_border(graph, edge, left + width)
+    given.assume(every([left < length, left + width > 0, fits]))
+    return Body(name, EdgePosition(edge, left), right, ZERO, height=ONE)
 
 
 def is_ledge(graph: Graph[Any], edge: int, direction: Direction) -> bool:
@@ -136,18 +135,16 @@ def is_ledge(graph: Graph[Any], edge: int, direction: Direction) -> bool:
     return not joined and any(graph.edges[fall].rise * direction < 0 for fall in falls)
 
 
-def right_border(given: Given, graph: Graph[Any], edge: int, location: Any) -> EdgePosition[Any]:
-    """A right border at a location: on its edge, on the next, or beyond a ledge or a corner."""
+def right_border(graph: Graph[Any], edge: int, location: Any) -> tuple[EdgePosition[Any], Truth]:
+    """A right border at a location, on its edge, on the next, or beyond a ledge or a corner; and whether it fits."""
     if is_ledge(graph, edge, Direction.RIGHT):
-        return EdgePosition(edge, location)
+        return EdgePosition(edge, location), True
     length = graph.edges[edge].length
     following = graph.look_up(graph.edges[edge].right, Direction.RIGHT, EdgeType.GROUND)
     if not following or location <= length:
-        given.assume(location <= length)
-        return EdgePosition(edge, location)
-    if not is_ledge(graph, following[0], Direction.RIGHT):
-        given.assume(location - length <= graph.edges[following[0]].length)
-    return EdgePosition(following[0], location - length)
+        return EdgePosition(edge, location), location <= length
+    fits = is_ledge(graph, following[0], Direction.RIGHT) or location - length <= graph.edges[following[0]].length
+    return EdgePosition(following[0], location - length), fits
 
 
 def stands(bodies: int, grounds: int, starts: tuple[int, ...]) -> Iterator[tuple[Stand, ...]]:
@@ -173,44 +170,54 @@ def outlines(steps: tuple[Fraction, ...], edges: int) -> Iterator[tuple[Fraction
         yield from product(steps, repeat=count)
 
 
-def in_guidelines(bodies: int, edges: int, sizes: bool) -> list[Shape]:
+def in_guidelines(bodies: int, edges: int) -> list[Shape]:
     """Steps of one body height, one layer, level ground: G2, G3 and G5 are kept."""
-    return [
-        Shape(steps, chosen, sizes=sizes)
-        for steps in outlines((ZERO, ONE, -ONE), edges)
-        for count in range(1, bodies + 1)
-        for chosen in stands(count, len(steps) + 1, (0,))
-    ]
+    return [shape for steps in outlines((ZERO, ONE, -ONE), edges) for shape in on(steps, bodies)]
+
+
+def on(steps: tuple[Fraction, ...], bodies: int, sizes: bool = False) -> list[Shape]:
+    """All ways for up to so many bodies to stand on grounds with such steps between them."""
+    counts = range(1, bodies + 1)
+    return [Shape(steps, chosen, sizes=sizes) for count in counts for chosen in stands(count, len(steps) + 1, (0,))]
+
+
+def of_three(outlined: Sequence[tuple[Fraction, ...]]) -> list[Shape]:
+    """Three bodies of one width on long grounds (G1, G4); the two that do not move are told apart by nothing."""
+    found: dict[tuple[Fraction, ...], set[frozenset[tuple[Stand, ...]]]] = {}
+    shapes = []
+    for steps in outlined:
+        for chosen in stands(3, len(steps) + 1, (0,)):
+            alike = frozenset((chosen, exchanged(chosen)))
+            if alike not in found.setdefault(steps, set()):
+                found[steps].add(alike)
+                shapes.append(Shape(steps, chosen, sizes=True))
+    return shapes
+
+
+def exchanged(chosen: tuple[Stand, ...]) -> tuple[Stand, ...]:
+    """The same stands of three bodies, the last two of which have changed names."""
+    names = {None: None, 0: 0, 1: 2, 2: 1}
+    first, second, third = (Stand(edge=stand.edge, top=names[stand.top]) for stand in chosen)
+    return first, third, second
 
 
 def with_other_falls(bodies: int) -> list[Shape]:
     """Fall edges that are higher or lower than a body, or slant: G2 is broken."""
-    odd = [(-TWO,), (-HALF,), (TWO,), (HALF,), (-ONE, TWO), (-ONE, HALF), (-TWO, TWO), (-TWO, ONE), (-HALF, HALF)]
+    odd = [(-TWO,), (-HALF,), (TWO,), (HALF,), (-ONE, TWO), (-ONE, HALF), (-TWO, TWO)]
     slanted = [(-ONE,), (ONE,), (-ONE, ONE)]
-    return [
-        Shape(steps, chosen, slant)
-        for slant, outlined in ((ZERO, odd), (SLANT, slanted))
-        for steps in outlined
-        for count in range(1, bodies + 1)
-        for chosen in stands(count, len(steps) + 1, (0,))
-    ]
+    leaning = [replace(shape, slant=SLANT) for steps in slanted for shape in on(steps, bodies)]
+    return [*(shape for steps in odd for shape in on(steps, bodies)), *leaning]
 
 
 def with_tilted_landings(bodies: int) -> list[Shape]:
     """A fall edge ends in a slope: G3 is broken."""
-    return [
-        Shape((-ONE,), chosen, tilt=tilt)
-        for tilt in (RISING, SINKING)
-        for count in range(1, bodies + 1)
-        for chosen in stands(count, 2, (0,))
-    ]
+    return [replace(shape, tilt=tilt) for tilt in (RISING, SINKING) for shape in on((-ONE,), bodies)]
 
 
 def with_platforms(bodies: int) -> list[Shape]:
     """A floor one body height above another: G5 is broken."""
     return [
         Shape((ZERO, ZERO), chosen, platform=thickness)
-        for thickness in (ZERO, ONE / 4)
-        for count in range(1, bodies + 1)
+        for count, thickness in ((1, ONE / 4), *((count, ZERO) for count in range(1, bodies + 1)))
         for chosen in stands(count, 4, (0, 3))
     ]
