@@ -20,12 +20,15 @@ from properties.results import Results
 from reference.formats.files import FormatError, read
 from reference.play import LIBRARY, library, play
 from reference.simulator import Fulfilled
+from spec.case import Case
 from spec.differences import DIFFERENCES, Difference
+from spec.errata import Erratum
 from spec.models import Model
 from spec.profiles import Profile, SteppedProfile
 from spec.readings import Reading
 from spec.registry import Statement, statements, text_of
 from spec.rule import Rule
+from spec.unsupported import ChangeCase, LevelCase
 
 
 class UnknownID(KeyError):
@@ -139,7 +142,23 @@ def facts(statement: Statement) -> Iterator[Fact]:
         yield Fact("others could read", statement.others)
         if statement.scenario:
             yield replay(LIBRARY / "scenarios" / f"{statement.scenario}.json")
+    elif isinstance(statement, Case | LevelCase | ChangeCase):
+        yield Fact("where", said(statement.happened if isinstance(statement, Case) else statement.found))
+    elif isinstance(statement, Erratum):
+        yield from of_erratum(statement)
     yield from claims_about(statement)
+
+
+def of_erratum(erratum: Erratum) -> Iterator[Fact]:
+    """The printed rules, the scenario in which it is seen, what it refutes, what holds instead, and what shows that."""
+    table = everything()
+    named = {"printed": erratum.printed, "refutes": erratum.refuted, "mended by": erratum.mended}
+    for label, names in (named | {"shown by": erratum.evidence}).items():
+        yield from (Fact(label, f"{name}: {table[name].sentence}") for name in names)
+    if not erratum.mended:
+        yield Fact("mended", "no: kept on purpose")
+    yield Fact("seen in scenario", erratum.witness)
+    yield replay(LIBRARY / "scenarios" / f"{erratum.witness}.json")
 
 
 def replay(path: Path) -> Fact:

@@ -48,6 +48,7 @@ PAGES = (
         ("condition", "guideline", "unsupported"),
     ),
     Page("differences.md", "Differences", "Why `repaired` ends otherwise than `thesis`.", ("difference",)),
+    Page("errata.md", "Errata", "What is wrong with the rules as printed, and what mends it.", ("erratum",)),
     Page("models.md", "Models", "What the level, the graph and time are.", ("model",)),
 )
 

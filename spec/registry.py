@@ -6,6 +6,7 @@ from typing import Protocol
 
 from spec.conditions import CONDITIONS
 from spec.differences import DIFFERENCES
+from spec.errata import ERRATA
 from spec.guidelines import GUIDELINES
 from spec.invariants import OF_ONE_REQUEST, RELATIONS
 from spec.models import MODELS, OF_GRAPHS, OF_STOREYS as MODELS_OF_STOREYS
@@ -16,7 +17,7 @@ from spec.rule import AnyRule, Family
 from spec.rules.request import FAMILIES, Rules
 from spec.rules.step import STEP_FAMILIES
 from spec.stepped import OF_ONE_STEP, STEP_RELATIONS
-from spec.unsupported import CASES, RECORDED
+from spec.unsupported import CASES, OF_CHANGES, OF_LEVELS
 
 
 class Statement(Protocol):
@@ -62,8 +63,8 @@ def statements() -> dict[str, Statement]:
     """
     rules = {rule.id: rule for profile in PROFILES.values() for rule in rules_of(profile)}.values()
     everything: list[Statement] = [*PROFILES.values(), *rules, *MODELS, *OF_ONE_REQUEST, *RELATIONS, *IN_PLANE]
-    everything += [*OF_ONE_STEP, *STEP_RELATIONS, *CONDITIONS, *GUIDELINES, *READINGS, *CASES, *RECORDED]
-    everything += DIFFERENCES
+    everything += [*OF_ONE_STEP, *STEP_RELATIONS, *CONDITIONS, *GUIDELINES, *READINGS, *CASES, *OF_LEVELS, *OF_CHANGES]
+    everything += [*DIFFERENCES, *ERRATA]
     table: dict[str, Statement] = {}
     for statement in everything:
         if table.setdefault(statement.id, statement) is not statement:

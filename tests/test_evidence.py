@@ -32,10 +32,12 @@ FLOORS_OF_VERDICTS = {
         closed-form determinism additive translation one-rule-applies leaves-only-beyond no-jump-leads-up
         mirror edge-split full-circle margins-over-time order-over-time world-is-lawful
         landing-keeps-width stays-in-wall near-jump-edges landing-position landing-position/overshoot
+        long-edges-fit
         one-step-rule-applies contacts-do-not-close squeezed-bodies-stand speeds-are-wished
     """,
     BOUNDED: """
-        whole-rows terrain plane-apart-of-two horizontal-alone supports-end never-raised height-kept
+        proxy-on-level-ground whole-rows terrain plane-apart-of-two horizontal-alone
+        supports-end never-raised height-kept
         supports-end/overshoot never-raised/overshoot height-kept/overshoot
         step-margin step-terrain step-support step-seat step-order step-motion step-not-raised step-bystanders
         step-progress step-squeezed step-one-key step-instants step-split step-mirror whole-steps requests-end-alike
@@ -52,6 +54,7 @@ FLOORS_OF_VERDICTS = {
         jump-clear-of-riders jump-clear-of-riders/overshoot what-leads-up-obstructs what-leads-up-obstructs/overshoot
         carried-clear carried-clear/overshoot no-short-pit no-short-pit-heights no-overhang-from-body no-tunnel
         no-fall-onto-middle no-sharp-ledge no-fall-off-body no-landing-does-not-fit
+        no-other-strings proxy-on-level-ground/overshoot proxy-on-slanted-falls proxy-on-tilted-landings
     """,
 }
 
