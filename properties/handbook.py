@@ -49,6 +49,7 @@ PAGES = (
     ),
     Page("differences.md", "Differences", "Why `repaired` ends otherwise than `thesis`.", ("difference",)),
     Page("errata.md", "Errata", "What is wrong with the rules as printed, and what mends it.", ("erratum",)),
+    Page("mends.md", "Mends", "Changes of one decision each of the rules as printed.", ("mend",)),
     Page("models.md", "Models", "What the level, the graph and time are.", ("model",)),
 )
 

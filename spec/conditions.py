@@ -95,11 +95,6 @@ def nobody_rides(start: Any, asked: Any) -> Truth:
     return all(start.support(body) is None for body in start.handles())
 
 
-def nobody_overhangs(start: Any, asked: Any) -> Truth:
-    """Every border is between the ends of its edge."""
-    return every(distance >= distance * 0 for body in start.handles() for distance in start.off_graph(body))
-
-
 def alone(start: Any, asked: Any) -> Truth:
     """There is one body."""
     return len(start.bodies) == 1
@@ -208,12 +203,6 @@ SHORT_REQUESTS = Condition(
 NOBODY_RIDES = Condition(
     "condition/nobody-rides", "At the start nobody stands on a body.", "4.4; A27, A28", nobody_rides
 )
-NOBODY_OVERHANGS = Condition(
-    "condition/nobody-overhangs",
-    "At the start no border is beyond the end of its edge.",
-    "4.3.1, 6.2.2; R7, U2, U9",
-    nobody_overhangs,
-)
 ALONE = Condition("condition/alone", "There is one body.", "8; O13", alone)
 TWO_AT_MOST = Condition("condition/two-at-most", "There are at most two bodies.", "8", two_at_most)
 ROOMY_GROUNDS = Condition(
@@ -243,7 +232,6 @@ CONDITIONS: tuple[Condition, ...] = (
     STOREYS_START,
     SHORT_REQUESTS,
     NOBODY_RIDES,
-    NOBODY_OVERHANGS,
     ALONE,
     TWO_AT_MOST,
     ROOMY_GROUNDS,

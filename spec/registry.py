@@ -9,6 +9,7 @@ from spec.differences import DIFFERENCES
 from spec.errata import ERRATA
 from spec.guidelines import GUIDELINES
 from spec.invariants import OF_ONE_REQUEST, RELATIONS
+from spec.mends import MENDS
 from spec.models import MODELS, OF_GRAPHS, OF_STOREYS as MODELS_OF_STOREYS
 from spec.plane import IN_PLANE
 from spec.profiles import PROFILES, AnyProfile
@@ -64,7 +65,7 @@ def statements() -> dict[str, Statement]:
     rules = {rule.id: rule for profile in PROFILES.values() for rule in rules_of(profile)}.values()
     everything: list[Statement] = [*PROFILES.values(), *rules, *MODELS, *OF_ONE_REQUEST, *RELATIONS, *IN_PLANE]
     everything += [*OF_ONE_STEP, *STEP_RELATIONS, *CONDITIONS, *GUIDELINES, *READINGS, *CASES, *OF_LEVELS, *OF_CHANGES]
-    everything += [*DIFFERENCES, *ERRATA]
+    everything += [*DIFFERENCES, *ERRATA, *MENDS]
     table: dict[str, Statement] = {}
     for statement in everything:
         if table.setdefault(statement.id, statement) is not statement:
