@@ -86,8 +86,8 @@ def guidelines(start: Any, asked: Any) -> Truth:
 
 
 def short_requests(start: Any, asked: Any) -> Truth:
-    """The distance is less than every width."""
-    return every(asked < start.width(body) for body in start.handles())
+    """The distance is at most every width and the margin."""
+    return every(asked <= start.width(body) + start.margin for body in start.handles())
 
 
 def nobody_rides(start: Any, asked: Any) -> Truth:
@@ -198,7 +198,11 @@ STOREYS_START = Condition(
 )
 
 SHORT_REQUESTS = Condition(
-    "condition/short-requests", "The distance asked is less than any body's width.", "6.2.1; A48, A55", short_requests
+    "condition/short-requests",
+    "The distance asked is at most any body's width and the margin, so that of a row in contact at most one body leaves "
+    "a ledge.",
+    "6.2.1; A4, A48, A55",
+    short_requests,
 )
 NOBODY_RIDES = Condition(
     "condition/nobody-rides", "At the start nobody stands on a body.", "4.4; A27, A28", nobody_rides
