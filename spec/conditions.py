@@ -199,8 +199,7 @@ STOREYS_START = Condition(
 
 SHORT_REQUESTS = Condition(
     "condition/short-requests",
-    "The distance asked is at most any body's width and the margin, so that of a row in contact at most one body leaves "
-    "a ledge.",
+    "The distance asked is at most any body's width and the margin, so that of a row one leaves a ledge at a time.",
     "6.2.1; A4, A48, A55",
     short_requests,
 )

@@ -1,5 +1,6 @@
 """The theorem table: sets of conditions against brute force, surveys that find what is known, wrong mends noticed."""
 
+import re
 from itertools import combinations
 from random import Random
 
@@ -7,7 +8,8 @@ import pytest
 
 from properties.map.sets import maximal, minimal, suffices, sufficient
 from properties.map.terrains import ONE, ZERO, Shape, in_guidelines, of_three, with_platforms, with_tilted_landings
-from properties.map.theorem import DROP, PIT, contradicted, surveyed, two_at_a_drop
+from properties.map.theorem import DROP, PART, PIT, contradicted, surveyed, two_at_a_drop
+from properties.map.theorem_page import bound
 from properties.map.trails import NAMES, breaches, first_within, firsts, trails
 from properties.worlds.scenes import Stand
 from spec.conditions import ALONE, LEDGES_CLEAR, ROOMY_GROUNDS, SHORT_REQUESTS
@@ -116,3 +118,20 @@ def test_shapes_keep_what_they_say():
         assert not shape.tilt
         assert set(shape.steps) <= {ZERO, ONE, -ONE}
     assert all(shape.tilt for shape in with_tilted_landings(1))
+
+
+def test_the_page_links_to_the_witnesses_that_are_written_and_they_hold():
+    survey = surveyed(THESIS, (), lambda: [BELOW_A_DROP], "small")
+    complete = {"profile": "thesis", "mends": [], "trails": 0, "broken": []}
+    findings = {job: complete if "catalogue" in job else survey for job in PART.jobs()}
+    page = "\n".join(PART.section(findings))
+    assert set(re.findall(r"map/witnesses/(.*?)\.json", page)) == set(PART.witnesses(findings))
+    assert list(PART.broken(findings)) == []
+
+
+def test_a_set_of_conditions_is_bounded_to_the_bodies_for_which_it_was_looked_at():
+    guidelines = {name for name in NAMES if name.startswith("guideline/")}
+    assert bound(frozenset({ALONE.id})) == "1"
+    assert bound(frozenset(guidelines)) == "3"
+    assert bound(frozenset({*guidelines, TWO_AT_MOST.id})) == "2"
+    assert bound(frozenset(guidelines - {"guideline/uniform-size"})) == "2"

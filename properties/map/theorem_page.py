@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 
+from properties.claims.enough import CLAIMS
+from properties.map.linking import claim_link
 from properties.map.part import Finding, Findings
 from properties.map.sets import Names, maximal, minimal, sufficient
 from properties.map.trails import CATALOGUES, CONDITIONS, GUIDELINE_IDS, NAMES
@@ -35,7 +37,7 @@ BOTH = (THESIS, OVERSHOOT)
 def entries_of(findings: Findings, profile: Profile) -> list[Finding]:
     """What is broken under a profile without mends, in all its domains."""
     own = [finding for job, finding in findings.items() if job.startswith(f"{profile.name}: ") and "shapes" in finding]
-    return [entry for finding in own for entry in [*finding["smallest"], *finding["broken"]]]
+    return [entry for finding in own for entry in all_broken(finding)]
 
 
 def conditions_of(entry: Finding) -> Names:
@@ -163,10 +165,15 @@ def all_sets(findings: Findings) -> Told:
     return lines, used
 
 
-def of_mends(findings: Findings) -> list[tuple[Names, list[Finding]]]:
-    """Each set of mends, with what is broken under it."""
+def of_mends(findings: Findings) -> list[tuple[Names, Finding]]:
+    """Each set of mends, with what was found under it."""
     found = [finding for job, finding in findings.items() if job.startswith("mends: ")]
-    return [(frozenset(one["mends"]), [*one["smallest"], *one["broken"]]) for one in found]
+    return [(frozenset(finding["mends"]), finding) for finding in found]
+
+
+def all_broken(finding: Finding) -> list[Finding]:
+    """All witnesses of a survey."""
+    return [*finding["smallest"], *finding["broken"]]
 
 
 def further(names: Iterable[str]) -> list[str]:
@@ -177,29 +184,33 @@ def further(names: Iterable[str]) -> list[str]:
 def mends_in_lattice(findings: Findings) -> list[Names]:
     """The minimal sufficient sets of further conditions and mends, within the guidelines."""
     return minimal(
-        mends | chosen
-        for mends, entries in of_mends(findings)
-        for chosen in sufficient(further(NAMES), insufficient(entries))
+        mends | chosen | at_most(finding, chosen)
+        for mends, finding in of_mends(findings)
+        for chosen in sufficient(further(NAMES), insufficient(all_broken(finding)))
     )
+
+
+def at_most(finding: Finding, chosen: Names) -> Names:
+    """What must be said besides where no more than two bodies were looked at."""
+    return frozenset() if finding["bodies"] > 2 or ALONE.id in chosen else frozenset((TWO_AT_MOST.id,))
 
 
 def with_mends(findings: Findings) -> Told:
     """What is needed beyond the guidelines, under each set of mends, and what is broken at most."""
     surveys = of_mends(findings)
-    every_set = maximal(mends | conditions_of(entry) for mends, entries in surveys for entry in entries)
     rows = [[listed(one)] for one in mends_in_lattice(findings)]
     lines = ["Within G1 to G5 these conditions and mends suffice together, and none can be left out:", ""]
     lines += [*table(["minimal sufficient sets of conditions and mends"], rows), ""]
     lines += ["These do not suffice, however much is kept of the rest:", ""]
-    shown_rows, used = [], []
+    broken, used = [], []
     universe = frozenset((*NAMES, *(mend.id for mend in MENDS)))
-    for one in every_set:
-        entries = [entry for mends, found in surveys if mends == mends_of(one) for entry in found]
+    for one in maximal(mends | conditions_of(entry) for mends, found in surveys for entry in all_broken(found)):
+        entries = [entry for mends, found in surveys if mends == mends_of(one) for entry in all_broken(found)]
         witness = against(entries, one - mends_of(one))
         if witness is not None:
-            shown_rows.append([listed(universe - one), name(witness["invariant"]), link(witness, "witness")])
+            broken.append([listed(universe - one), name(witness["invariant"]), link(witness, "witness")])
             used.append(witness)
-    return [*lines, *table(["all but", "breaks", ""], shown_rows)], used
+    return [*lines, *table(["all but", "breaks", ""], broken)], used
 
 
 def mends_of(names: Names) -> Names:
@@ -232,7 +243,18 @@ def domain(findings: Findings) -> str:
     """How much was explored."""
     shapes = sum(finding.get("shapes", 0) for finding in findings.values())
     ways = sum(finding["trails"] for finding in findings.values())
-    return f"{ways} ways of a request through {shapes} shapes of levels were explored, with all sizes arbitrary."
+    falling = sum(finding.get("falling", 0) for finding in findings.values())
+    return (
+        f"{ways} ways of a request through {shapes} shapes of levels were explored, with all sizes arbitrary. On "
+        f"{falling} of them a body falls while every condition holds but those on the number of bodies."
+    )
+
+
+def claimed() -> list[str]:
+    """The claims that say the same of the scenes of the hunts, and what is proved for any number of bodies."""
+    links = ", ".join(claim_link(claim.id) for claim in CLAIMS)
+    fits = claim_link("claim/long-edges-fit")
+    return [f"That they suffice together is also claimed: {links}. For any number of bodies: {fits}."]
 
 
 def sections(findings: Findings) -> list[tuple[list[str], Told]]:
@@ -240,7 +262,7 @@ def sections(findings: Findings) -> list[tuple[list[str], Told]]:
     return [
         (INTRODUCTION, what_they_imply(findings)),
         (NEEDED, without_each(findings)),
-        (SETS, all_sets(findings)),
+        ([*SETS, "", *claimed()], all_sets(findings)),
         (MENDED, with_mends(findings)),
         (CATALOGUE, catalogue(findings)),
     ]
