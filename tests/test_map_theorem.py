@@ -12,7 +12,7 @@ from properties.map.theorem import DROP, PART, PIT, contradicted, surveyed, two_
 from properties.map.theorem_page import bound
 from properties.map.trails import NAMES, breaches, first_within, firsts, trails
 from properties.worlds.scenes import Stand
-from spec.conditions import ALONE, LEDGES_CLEAR, ROOMY_GROUNDS, SHORT_REQUESTS
+from spec.conditions import ALONE, LEDGES_CLEAR, ROOMY_GROUNDS, SHORT_REQUESTS, TWO_AT_MOST
 from spec.mends import LOOK_AT_LANDING, MARGIN_IN_JUMP_TEST, Mend, landing, mended
 from spec.plane import HORIZONTAL, PLANE_MARGIN, TERRAIN
 from spec.profiles import OVERSHOOT, THESIS
