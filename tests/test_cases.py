@@ -10,19 +10,20 @@ from properties.conformance.validate import validate
 from properties.contracts.fitting import long_edges_fit
 from properties.engine.explore import explore
 from properties.evidence.deeds import do
+from properties.evidence.mended import OUTSIDE, SHOWN
 from properties.explain import everything, explain, find, of_row
 from properties.given import Exact
-from properties.map import errata as errata_page, search as searching
+from properties.map import case_search as searching, errata as errata_page
+from properties.map.case_search import ALL, RANK, Search, Witness, as_json, best, from_json
 from properties.map.cases import preventing, that_keeps
 from properties.map.replay import Replay
-from properties.map.search import ALL, RANK, Search, Witness, as_json, best, from_json
 from properties.worlds.scenes import Platform, Shape, Stand, scene
 from reference.play import LIBRARY, read_playable
 from reference.recording import recording
 from reference.world import World, world_of
 from spec.case import parts_of, ran_into
 from spec.conditions import PLANE_START
-from spec.errata import ERRATA
+from spec.errata import ERRATA, REPLAYED
 from spec.graph import Direction
 from spec.profiles import OVERSHOOT, THESIS
 from spec.unsupported import CASES, OF_CHANGES, OF_LEVELS
@@ -188,6 +189,9 @@ def test_an_erratum_names_what_there_is_and_explains_itself(erratum):
     known = everything()
     assert all(name in known for name in (*erratum.printed, *erratum.refuted, *erratum.mended, *erratum.evidence))
     assert bool(erratum.mended) == bool(erratum.evidence)
+    assert erratum.mended or replay(erratum.witness).broken == []
+    if REPLAYED in erratum.evidence:
+        assert erratum.witness in SHOWN or erratum.witness in OUTSIDE
     assert f"graphbody simulate reference/scenarios/{erratum.witness}.json" in "\n".join(explain(find(erratum.id)))
 
 

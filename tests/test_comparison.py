@@ -69,6 +69,8 @@ REFUSED = {
     "no-fall-onto-middle": STEPS,
     "no-sharp-ledge": STEPS,
     "no-tunnel": STEPS,
+    "proxy-on-slanted-falls": STEPS,
+    "proxy-on-tilted-landings": "to be level",
 }
 
 

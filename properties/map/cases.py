@@ -7,14 +7,14 @@ from functools import partial
 from itertools import combinations
 from typing import Any
 
+from properties.map.case_search import ALL, BY_ID, GROUPS, RANK, Witness, best, from_json, look_through
 from properties.map.linking import claim_link
 from properties.map.part import Finding, Findings, Part
 from properties.map.replay import Replay
-from properties.map.search import ALL, BY_ID, GROUPS, RANK, Witness, best, from_json, look_through
 from spec.case import Case
 from spec.profiles import OVERSHOOT, THESIS, Profile
 from spec.registry import statements
-from spec.unsupported import CASES, OF_CHANGES, OF_LEVELS, ChangeCase, LevelCase
+from spec.unsupported import CASES, OF_CHANGES, OF_LEVELS, PRINTED, ChangeCase, LevelCase
 
 BOTH = (THESIS, OVERSHOOT)
 PROOFS = {(THESIS.name, "unsupported/landing-does-not-fit"): f", {claim_link('claim/long-edges-fit')}"}
@@ -49,15 +49,19 @@ def that_keeps(found: Sequence[Witness], *guidelines: str) -> Witness | None:
 
 def name_of(one: Witness, case: str) -> str:
     """The name of a witness: the case, the profile if it is not the first, and what its level keeps."""
-    profile = one.scenario["profile"].removeprefix(THESIS.name).replace("/", "-")
+    profile = one.scenario.get("profile", THESIS.name).removeprefix(THESIS.name).replace("/", "-")
     kept = "".join(rank for guideline, rank in RANK.items() if guideline in one.kept)
     return f"{case.removeprefix('unsupported/')}{profile}-{kept or 'G0'}"
 
 
 def shown(found: Sequence[Witness]) -> list[Witness]:
-    """The witnesses that the page shows of a case: the simplest, and those of the cells."""
-    cells = [that_keeps(found), *(that_keeps(found, one) for one in ALL), that_keeps(found, *ALL)]
-    return list({id(one): one for one in cells if one is not None}.values())
+    """The witnesses that the page shows of a case: the simplest, one that keeps all guidelines, else one for each."""
+    chosen: list[Witness] = []
+    for kept in ((), ALL, *((guideline,) for guideline in ALL)):
+        one = that_keeps(found, *kept)
+        if one is not None and that_keeps(chosen, *kept) is None:
+            chosen.append(one)
+    return chosen
 
 
 def witnesses(findings: Findings) -> dict[str, Any]:
@@ -129,14 +133,15 @@ def introduction(findings: Findings) -> list[str]:
 def matrix(profile: Profile, by_case: Mapping[str, Sequence[Witness]]) -> list[str]:
     """The table of a profile: guideline by case, and which sets of guidelines prevent it."""
     safe = [case for case, found in by_case.items() if that_keeps(found, *ALL) is None]
-    names = ", ".join(f"`{case.removeprefix('unsupported/')}`" for case in safe)
+    names, printed = ", ".join(f"`{case.removeprefix('unsupported/')}`" for case in safe), {one.id for one in PRINTED}
     return [
         "",
         f"### Which guidelines prevent which cases, under `{profile.name}` (E10)",
         "",
-        f"Of {len(by_case)} cases, all five guidelines together prevent {len(safe)}: {names}. A cell links to the "
-        "smallest level that keeps the guideline and in which the case happens all the same; *prevented* means that "
-        "there is none in all shapes above. The last column has the smallest sets of guidelines that prevent the case.",
+        f"Of {len(by_case)} cases, all five guidelines together prevent {len(safe)}: {names}. Of the {len(printed)} "
+        f"that the thesis shows itself they prevent {len(printed & set(safe))}. A cell links to a small level that "
+        "keeps the guideline and in which the case happens all the same; *prevented* means that there is none in all "
+        "shapes above. The last column has the smallest sets of guidelines that prevent the case.",
         "",
         f"| case | {' | '.join(RANK.values())} | all five | prevented by |",
         f"|---|{'---|' * (len(RANK) + 2)}",
@@ -154,7 +159,7 @@ def row(profile: Profile, case: str, found: Sequence[Witness]) -> str:
 
 def cell(found: Sequence[Witness], case: str, *guidelines: str) -> str:
     """A link to a witness that keeps some guidelines; empty if there is none."""
-    one = that_keeps(found, *guidelines)
+    one = that_keeps(shown(found), *guidelines)
     return "" if one is None else f"[happens](map/witnesses/{name_of(one, case)}.json)"
 
 
@@ -194,8 +199,9 @@ def told(case: Case, one: Witness) -> list[str]:
     broken = ", ".join(f"`{name}`" for name in replay.broken) or "none in the plane"
     kept = ", ".join(rank for guideline, rank in RANK.items() if guideline in one.kept) or "none"
     return [
-        f"- smallest witness: [{name}](map/witnesses/{name}.json), {one.size[0]} bodies on {one.size[1]} grounds, "
-        f"under `{one.scenario['profile']}`; it keeps {kept}",
+        f"- smallest witness: [{name}](map/witnesses/{name}.json), {counted(one.size[0], 'bodies')}, "
+        f"{counted(one.size[1], 'grounds')}, "
+        f"under `{replay.scenario.profile}`; it keeps {kept}",
         f"- broken: {broken}",
         f"- rule at fault: `{rule.id}`: {rule.sentence}",
         f"- under `repaired`: {replay.mended}",
@@ -204,13 +210,19 @@ def told(case: Case, one: Witness) -> list[str]:
     ]
 
 
+def counted(number: int, things: str) -> str:
+    """A number of things."""
+    return f"{number} {things}" if number > 1 else {"bodies": "one body", "grounds": "one ground"}[things]
+
+
 def broken(findings: Findings) -> Iterator[str]:
-    """What does not hold when the witnesses are played again: each runs into its case, and nothing else was found."""
+    """What does not hold when the witnesses are played again: each runs into its case and keeps its guidelines."""
     for by_case in chart(findings).values():
         for case, found in by_case.items():
             for one in shown(found):
-                if case not in Replay.of(one.scenario).cases:
-                    yield f"{name_of(one, case)}: expected {case} to happen"
+                replay = Replay.of(one.scenario)
+                if case not in replay.cases or one.kept != set(replay.kept):
+                    yield f"{name_of(one, case)}: expected {case} to happen, and {sorted(one.kept)} to be kept"
     for _, group, number, _ in uncatalogued(findings):
         yield f"{group}, {number}: an invariant is broken without a case"
 

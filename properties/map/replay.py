@@ -22,12 +22,12 @@ from spec.case import Case, Part, parts_of, ran_into
 from spec.graph import Direction
 from spec.guidelines import kept_by
 from spec.invariants import Deed
-from spec.plane import IN_PLANE
+from spec.plane import HORIZONTAL, IN_PLANE
 from spec.profiles import OF_REQUESTS
 from spec.unsupported import CASES
 
 ZERO = Fraction(0)
-AT_FAULT = ("fit/wall", "leave/fall", "leave/jump", "leave/blocked", "leave/nowhere")
+AT_FAULT = ("leave/fall", "leave/jump", "leave/blocked", "leave/nowhere")
 
 
 @dataclass(frozen=True)
@@ -45,8 +45,11 @@ class Done:
 
     @property
     def broken(self) -> list[str]:
-        """The invariants in the plane that it breaks."""
-        return [one.id for one in IN_PLANE if not one.holds(self.deed)]
+        """The invariants in the plane that it breaks; round a ring, borders tell how far one came only up to half."""
+        before: Any = self.deed.before
+        round_ = before.graph.circumference
+        far = round_ is not None and self.deed.asked * 2 > round_
+        return [one.id for one in IN_PLANE if not (far and one is HORIZONTAL) and not one.holds(self.deed)]
 
     @property
     def cases(self) -> list[str]:

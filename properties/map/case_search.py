@@ -21,9 +21,8 @@ from properties.evidence.deeds import do
 from properties.evidence.hunt import MOVER, RIGHT, start_in_order
 from properties.evidence.witness import step_record
 from properties.given import Exact, Given
-from properties.map import scenery
+from properties.map import case_shapes
 from properties.map.part import Finding
-from properties.map.replay import Replay
 from properties.worlds.scenes import Shape, scene
 from reference.formats.level import level_record
 from reference.formats.scenario import ScenarioRecord
@@ -35,12 +34,12 @@ from spec.profiles import OF_REQUESTS, Profile
 from spec.unsupported import CASES
 
 GROUPS: dict[str, Callable[[], list[Shape]]] = {
-    "steps": scenery.steps,
-    "platforms": scenery.platforms,
-    "crowds": scenery.crowds,
-    "overhangs": scenery.overhangs,
-    "storeys": scenery.storeys,
-    "short edges": scenery.short_edges,
+    "steps": case_shapes.steps,
+    "platforms": case_shapes.platforms,
+    "crowds": case_shapes.crowds,
+    "overhangs": case_shapes.overhangs,
+    "storeys": case_shapes.storeys,
+    "short edges": case_shapes.short_edges,
 }
 GENERAL = "unsupported/other-strings"
 UNCATALOGUED = "an invariant is broken, and no case has happened"
@@ -167,11 +166,12 @@ def look_through(profile: str, group: str) -> Finding:
 def as_json(one: Witness) -> Any:
     """A witness as plain data."""
     above, below = one.numbers[1].as_integer_ratio()
-    return {"size": list(one.size), "numbers": [one.numbers[0], above, below], "scenario": one.scenario}
+    numbers, kept = [one.numbers[0], above, below], [name for name in ALL if name in one.kept]
+    return {"size": list(one.size), "numbers": numbers, "kept": kept, "scenario": one.scenario}
 
 
 def from_json(found: Any) -> Witness:
-    """A witness from plain data; what its level keeps is found out again."""
+    """A witness from plain data."""
     denominator, above, below = found["numbers"]
-    kept = frozenset(Replay.of(found["scenario"]).kept)
-    return Witness(tuple(found["size"]), (denominator, Fraction(above, below)), kept, found["scenario"])
+    numbers = denominator, Fraction(above, below)
+    return Witness(tuple(found["size"]), numbers, frozenset(found["kept"]), found["scenario"])

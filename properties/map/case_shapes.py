@@ -23,8 +23,21 @@ def platforms() -> list[Shape]:
 
 
 def crowds() -> list[Shape]:
-    """Three bodies on up to two grounds, with a step of one body height."""
-    return [shape for shape in shapes(3, 2, guided=True) if len(shape.stands) == 3]
+    """Three bodies on up to two grounds, with a step of one body height; the second and the third are exchangeable."""
+    found = [shape for shape in shapes(3, 2, guided=True) if len(shape.stands) == 3]
+    return [shape for shape in found if order_of(shape.stands) <= order_of(exchanged(shape.stands))]
+
+
+def exchanged(stands: tuple[Stand, ...]) -> tuple[Stand, ...]:
+    """Where three bodies stand if the second and the third take each other's place."""
+    other = {None: None, 0: 0, 1: 2, 2: 1}
+    first, second, third = (replace(stand, top=other[stand.top]) for stand in stands)
+    return first, third, second
+
+
+def order_of(stands: tuple[Stand, ...]) -> list[tuple[int, ...]]:
+    """What tells apart where bodies stand, so that it can be put in order."""
+    return [(-1 if stand.edge is None else stand.edge, -1 if stand.top is None else stand.top) for stand in stands]
 
 
 def overhangs() -> list[Shape]:
