@@ -134,4 +134,4 @@ def test_a_set_of_conditions_is_bounded_to_the_bodies_for_which_it_was_looked_at
     assert bound(frozenset({ALONE.id})) == "1"
     assert bound(frozenset(guidelines)) == "3"
     assert bound(frozenset({*guidelines, TWO_AT_MOST.id})) == "2"
-    assert bound(frozenset(guidelines - {"guideline/uniform-size"})) == "2"
+    assert bound(frozenset(guidelines - {"guideline/uniform-size"})).startswith("2;")

@@ -137,10 +137,10 @@ def without_each(findings: Findings) -> Told:
 
 def bound(chosen: Names) -> str:
     """Up to how many bodies a set has been shown to suffice: three have one width and long grounds (G1 to G5)."""
-    if ALONE.id in chosen:
-        return "1"
+    if ALONE.id in chosen or TWO_AT_MOST.id in chosen:
+        return "1" if ALONE.id in chosen else "2"
     long = chosen | ({GUIDELINE_IDS[3]} if ROOMY_GROUNDS.id in chosen else set()) >= STATIC
-    return "3" if long and TWO_AT_MOST.id not in chosen else "2"
+    return "3" if long else "2; with G1 to G5, 3"
 
 
 def all_sets(findings: Findings) -> Told:
@@ -282,13 +282,18 @@ def shown(findings: Findings) -> list[Finding]:
 
 
 ABOUT = """\
-*Bounded* means here: no way of a request breaks it, in any level with one or two bodies on up to three grounds, of any
-widths and lengths, whose steps are one body height up or down or none; with fall edges of other heights, or slanted,
-or with a tilted landing, or a floor above the ground, where G2, G3 or G5 is not among what is kept; and with three
-bodies of one width on one or two grounds no shorter. The first body moves to the right by any distance, and whatever
-it pushes with it. It, or what carries it, stands on the leftmost ground or on the floor above. At the start margins
-and terrain are kept; borders may overhang ledges and tops. To the left all is alike: `claim/mirror`.
-What is said of level ground, `never-raised` and `height-kept`, is not asked where a landing is tilted.""".splitlines()
+*Bounded* means here: no way of a request breaks it, whatever the sizes, in these levels.
+- One or two bodies of any widths on one, two or three grounds of any lengths, each a body height higher or lower
+  than the last, or joined to it. Where three bodies are spoken of: three of one width on one or two grounds no shorter.
+- Where G2 is not kept: drops, steps and pits of half or twice a body height, or with slanted fall edges. Where G3 is
+  not kept: a drop onto a slope. Where G5 is not kept: a floor one body height above three joined grounds.
+
+The first body is asked to move to the right by any distance, and moves what is in its way. It, or what carries it,
+stands on the leftmost ground or on the floor above. To the left all is alike: rules see a world only in the direction
+of a motion, and `claim/mirror` shows it of a string. At the start margins and terrain are kept; borders may overhang
+ledges and tops. This is about one request: what is assumed of a start must hold again before the next request. What is
+said of level ground, `never-raised` and `height-kept`, is not asked of slopes.
+""".splitlines()
 
 INTRODUCTION = """\
 ### Do the guidelines imply the invariants?
