@@ -58,6 +58,7 @@ PAGES = (
         ("evaluation",),
     ),
     Page("errata.md", "Errata", "What is wrong with the rules as printed, and what mends it.", ("erratum",)),
+    Page("mends.md", "Mends", "Changes of one decision each of the rules as printed.", ("mend",)),
     Page("models.md", "Models", "What the level, the graph and time are.", ("model",)),
 )
 

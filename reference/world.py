@@ -493,9 +493,13 @@ class Facing(Generic[N]):
 
     def is_free(self, near: EdgePosition[N], body: int) -> bool:
         """Whether the first body length from a ledge is free, and a margin more (A54)."""
+        room = self.room(near)
+        return room is None or bool(room >= self.world.width(body) + self.world.margin)
+
+    def room(self, near: EdgePosition[N]) -> N | None:
+        """How far the first body on a string is from the near end of it; None if nobody is there."""
         row = self.world.row_of_edge[near.edge]
-        first = row.order[0 if self.direction is Direction.RIGHT else -1] if row.order else None
-        return first is None or bool(self.gap(near, first) >= self.world.width(body) + self.world.margin)
+        return self.gap(near, row.order[0 if self.direction is Direction.RIGHT else -1]) if row.order else None
 
     def place(self, body: int, front: EdgePosition[N], rear: EdgePosition[N]) -> None:
         """Put the borders of a body."""

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
-from spec.graph import EdgeType
+from spec.graph import Direction, EdgeType
 from spec.guidelines import GUIDELINES as ALL_GUIDELINES
 from spec.invariants import every
 from spec.number import N, Truth, zero_like
@@ -85,6 +85,53 @@ def guidelines(start: Any, asked: Any) -> Truth:
     return every(guideline.kept(start) for guideline in ALL_GUIDELINES)
 
 
+def short_requests(start: Any, asked: Any) -> Truth:
+    """The distance is at most every width and the margin."""
+    return every(asked <= start.width(body) + start.margin for body in start.handles())
+
+
+def nobody_rides(start: Any, asked: Any) -> Truth:
+    """No body has another as its support."""
+    return all(start.support(body) is None for body in start.handles())
+
+
+def alone(start: Any, asked: Any) -> Truth:
+    """There is one body."""
+    return len(start.bodies) == 1
+
+
+def two_at_most(start: Any, asked: Any) -> Truth:
+    """There are one or two bodies."""
+    return len(start.bodies) <= 2
+
+
+def roomy_grounds(start: Any, asked: Any) -> Truth:
+    """Every ground edge has room for twice the body and the margin."""
+    widths = [start.width(body) for body in start.handles()]
+    return every(length >= (width + start.margin) * 2 for length in start.edge_lengths() for width in widths)
+
+
+def ledges_clear(start: Any, asked: Any) -> Truth:
+    """For each ledge and each two bodies, the second is not where the first could come down."""
+    return every(
+        out_of_the_way(start, direction, ledge, other, start.width(body) + start.margin + asked)
+        for direction in Direction
+        for ledge in start.facing(direction.opposite).ledges()
+        for body in start.handles()
+        for other in start.handles()
+        if body != other and start.row(other) is not start.row_of_edge[ledge.edge]
+    )
+
+
+def out_of_the_way(start: Any, direction: Direction, ledge: Any, body: int, distance: Any) -> Truth:
+    """A body is behind a ledge, seen in a direction, or at least so far beyond it."""
+    edge, held = start.point(ledge)[0], start.bodies[body]
+    near, far = (start.point(held.border(side))[0] for side in (direction.opposite, direction))
+    beyond = (near - edge) * direction >= distance
+    behind = (far - edge) * direction <= distance * 0
+    return beyond | behind  # type: ignore[no-any-return]
+
+
 def storeys_start(start: Any, asked: Any) -> Truth:
     """Margins, terrain and supports are kept."""
     zero = zero_like(start.margin)
@@ -150,6 +197,31 @@ STOREYS_START = Condition(
     storeys_start,
 )
 
+SHORT_REQUESTS = Condition(
+    "condition/short-requests",
+    "The distance asked is at most any body's width and the margin, so that of a row one leaves a ledge at a time.",
+    "6.2.1; A4, A48, A55",
+    short_requests,
+)
+NOBODY_RIDES = Condition(
+    "condition/nobody-rides", "At the start nobody stands on a body.", "4.4; A27, A28", nobody_rides
+)
+ALONE = Condition("condition/alone", "There is one body.", "8; O13", alone)
+TWO_AT_MOST = Condition("condition/two-at-most", "There are at most two bodies.", "8", two_at_most)
+ROOMY_GROUNDS = Condition(
+    "condition/roomy-grounds",
+    "Every ground edge is at least two bodies and two margins long.",
+    "6.2.2; G4, A15, A16, U11",
+    roomy_grounds,
+)
+LEDGES_CLEAR = Condition(
+    "condition/ledges-clear",
+    "Beyond every ledge, for a body's width, the margin and the distance asked, nobody stands on another string of "
+    "edges, at whatever height.",
+    "6.2.1, 6.2.2; R25, U5, U9",
+    ledges_clear,
+)
+
 CONDITIONS: tuple[Condition, ...] = (
     IN_ORDER,
     MARGINS_KEPT,
@@ -161,4 +233,10 @@ CONDITIONS: tuple[Condition, ...] = (
     PLANE_START,
     GUIDELINES,
     STOREYS_START,
+    SHORT_REQUESTS,
+    NOBODY_RIDES,
+    ALONE,
+    TWO_AT_MOST,
+    ROOMY_GROUNDS,
+    LEDGES_CLEAR,
 )

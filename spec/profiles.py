@@ -10,7 +10,7 @@ from spec.rules.clearance import CLEARANCE
 from spec.rules.event import CONTACT as CONTACT_EVENT, LOSS, WALL
 from spec.rules.leave import FIT, LEAVE
 from spec.rules.push import CONTACT, PUSH
-from spec.rules.request import Rules, segment
+from spec.rules.request import Rules, depart, segment
 from spec.rules.row import FORWARD, MEET, PASS, WAY
 from spec.rules.settle import SETTLE
 from spec.rules.step import StepRules
@@ -94,6 +94,7 @@ THESIS = Profile(
         fit=FIT,
         landing=LANDING.choice,
         segment=segment,
+        depart=depart,
     ),
     push_limit=PUSH_LIMIT.choice,
     tick_order=TICK_ORDER.choice,

@@ -14,6 +14,7 @@ from spec.errata import ERRATA
 from spec.evaluated import EVALUATED
 from spec.guidelines import GUIDELINES
 from spec.invariants import OF_ONE_REQUEST, RELATIONS
+from spec.mends import MENDS
 from spec.models import MODELS, OF_GRAPHS, OF_STOREYS as MODELS_OF_STOREYS
 from spec.plane import IN_PLANE
 from spec.profiles import PROFILES, AnyProfile
@@ -101,6 +102,7 @@ def statements() -> dict[str, Statement]:
         *DISCRETE_INVARIANTS,
         *DIFFERENCES,
         *ERRATA,
+        *MENDS,
         *EVALUATED,
     ]
     table: dict[str, Statement] = {}

@@ -14,9 +14,10 @@ from properties.evidence import settle as settling
 from properties.evidence.sample import FLOORS, ONE_RULE, campaign
 from properties.evidence.witness import refute, write_witness
 from properties.explain import everything
+from properties.map.trails import NAMES
 from reference.play import LIBRARY, play
 from reference.stepping import COMING
-from spec.conditions import CONDITIONS
+from spec.conditions import ALONE, CONDITIONS, TWO_AT_MOST
 from spec.guidelines import GUIDELINES, kept_by
 from spec.models import MODELS
 from spec.profiles import REPAIRED, THESIS
@@ -47,6 +48,7 @@ FLOORS_OF_VERDICTS = {
         supports-end/overshoot never-raised/overshoot height-kept/overshoot
         rest-up-to-the-coefficient rest-up-to-the-printed-slope way-without-friction way-without-friction/repaired
         drag-leaves-a-part drag-leaves-a-part/repaired drag-takes-by-the-way
+        enough-for-the-plane enough-for-the-plane/overshoot enough-for-three enough-for-three/overshoot
         step-instants step-split step-mirror whole-steps requests-end-alike
         designs-agree designs-agree-on-rings discrete-turns discrete-turns-are-steps discrete-turns-are-steps-of-more
     """,
@@ -98,8 +100,9 @@ def test_every_statement_has_its_own_speaking_id_a_sentence_and_a_source():
         assert statement.source
 
 
-def test_every_premise_is_assumed_by_a_claim():
-    assumed = {premise for claim in CLAIMS for premise in claim.premises}
+def test_every_premise_is_assumed_by_a_claim_or_by_the_map():
+    assumed = {premise for claim in CLAIMS for premise in claim.premises} | {ALONE.id, TWO_AT_MOST.id}
+    assert {ALONE.id, TWO_AT_MOST.id} <= set(NAMES)
     assert assumed == {condition.id for condition in CONDITIONS}
 
 

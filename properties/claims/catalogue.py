@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from properties.claims import comparison, designs, display, landings, ledges, repaired, string, velocity
+from properties.claims import comparison, designs, display, enough, landings, ledges, repaired, string, velocity
 from properties.claims.claim import Claim
 
 CLAIMS: tuple[Claim, ...] = (
@@ -13,5 +13,6 @@ CLAIMS: tuple[Claim, ...] = (
     *velocity.CLAIMS,
     *display.CLAIMS,
     *designs.CLAIMS,
+    *enough.CLAIMS,
     *landings.CLAIMS,
 )

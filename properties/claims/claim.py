@@ -9,6 +9,7 @@ from typing import Any
 
 from properties.contracts.errata import Stage
 from properties.given import Given
+from spec.conditions import Condition
 from spec.invariants import Deed
 from spec.number import Truth
 from spec.profiles import AnyProfile
@@ -63,6 +64,7 @@ class Hunt:
         promise: of a deed and the rules that fired for its mover.
         guided: whether the scenes keep the guidelines G1 to G5.
         least_bodies, most_bodies, most_edges: the sizes of the scenes.
+        premises: the conditions that hold at the start besides.
     """
 
     id: str
@@ -71,6 +73,7 @@ class Hunt:
     most_bodies: int
     most_edges: int
     least_bodies: int = 1
+    premises: tuple[Condition, ...] = ()
 
 
 Erratum = Callable[[Any, Given, Stage], None]

@@ -46,6 +46,8 @@ def promise_of(hunt: Hunt, shape: Shape, profile: Profile, given: Given) -> None
     level, asked = scene(given, shape, hunt.guided)
     world = World(level)
     start_in_order(given, world)
+    for condition in hunt.premises:
+        given.assume(condition.holds(world, asked), condition.id)
     deed, record = do(profile, world, MOVER, RIGHT, asked, asked * 0)
     fired = frozenset(rule for body, rule in record.fired if body == MOVER)
     for rule in fired:
