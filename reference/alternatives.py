@@ -11,7 +11,7 @@ from fractions import Fraction
 from typing import Any
 
 from reference.simulator import Fulfilled, Game
-from reference.world import Facing, World
+from reference.world import Facing, LevelError, World
 from spec.alternatives import ALTERNATIVES, Alternative, ByTheFront, Instead
 from spec.body import Body, EdgePosition, Level
 from spec.graph import Direction, EdgeType, Graph, rational_root
@@ -293,9 +293,17 @@ def by_world_axes(level: Level[Any]) -> Level[Any]:
 
 
 def steep_from_45(level: Level[Any]) -> Level[Any]:
-    """The level with every edge steeper than 45 degrees a fall edge."""
+    """The level with every edge steeper than 45 degrees a fall edge.
+
+    Raises:
+        LevelError: if a body stands on one.
+    """
     graph = level.graph
     edges = [replace(e, type=EdgeType.FALL) if abs(e.rise) > abs(e.run) else e for e in graph.edges]
+    for i, body in enumerate(level.bodies):
+        for at in (body.left, body.right):
+            if at.edge < len(edges) and edges[at.edge].type is EdgeType.FALL:
+                raise LevelError(f"$.bodies[{i}]", f"edge {at.edge} is steeper than 45 degrees: expected a ground edge")
     return replace(level, graph=Graph(graph.vertices, tuple(edges), graph.circumference))
 
 
