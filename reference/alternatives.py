@@ -251,7 +251,8 @@ class Dropping(World[N]):
         """The place on a string that is under a place on the top of a body that stood there."""
         zero = zero_like(at.location)
         view = self.facing(Direction.RIGHT if at.location >= zero else Direction.LEFT)
-        return walk_freely(WALK, view, old.left, greater(at.location, zero - at.location)).at
+        motion = walk_freely(WALK, view, old.left, greater(at.location, zero - at.location))
+        return view.along(motion.at, motion.rest)
 
 
 # Levels
@@ -367,7 +368,8 @@ class FallsOff(OtherGame):
             support = view.world.support(body)
             assert support is not None
             rear = walk_freely(leaving.walk, view, view.front(support), view.margin).at
-            return Placement(walk_freely(leaving.walk, view, rear, leaving.width).at, rear, leaving.moved)
+            motion = walk_freely(leaving.walk, view, rear, leaving.width)
+            return Placement(leaving.fit.choose(motion).effect((view, motion)), rear, leaving.moved)
 
         leave = Instead(rules.leave, ("leave/nowhere",), fall_off)
         return request(replace(rules, leave=leave), view, body, distance, spare)

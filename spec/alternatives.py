@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any
 
-from spec.number import N, Truth, lesser, zero_like
+from spec.number import N, Truth, greater, lesser, zero_like
 from spec.profiles import OVERSHOOT, THESIS, Profile
 from spec.rule import AnyFamily, AnyRule, Chooser, Family
 from spec.rules.clearance import CLEARANCE, up_to_margin
@@ -265,10 +265,13 @@ class ByTheFront:
         return replace(rule, effect=self.stop_with_the_front if cut_back else lambda _: rule.effect(early))
 
     def stop_with_the_front(self, leaving: Departure[Any, Any]) -> Placement[Any, Any]:
-        """Cut the move back so that the front border stands at the end of the edge."""
-        moved = leaving.moved + self.view.reach(leaving.front)
-        rear = walk_freely(self.rules.walk, self.view, self.view.rear(self.body), moved).at
-        return Placement(self.view.end(leaving.front), rear, moved)
+        """Cut the move back so that the front border is not beyond the end of its edge, but not behind its start."""
+        moved = greater(leaving.moved + self.view.reach(leaving.front), zero_like(leaving.moved))
+        front, rear = (
+            walk_freely(self.rules.walk, self.view, at, moved).at
+            for at in (self.view.front(self.body), self.view.rear(self.body))
+        )
+        return Placement(front, rear, moved)
 
 
 def either_border_falls(rules: Rules, view: Any, body: Any, distance: Any, spare: int) -> Generator[Any, Any, Any]:

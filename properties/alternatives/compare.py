@@ -20,6 +20,7 @@ from spec.rule import GuardError
 
 INVARIANTS: tuple[Invariant, ...] = (ORDER, NO_OVERLAP, RIGID_WIDTH, *IN_PLANE)
 MOST_RULES = 20_000
+FAILS = "fails"
 Answer = tuple[Any, ...]
 """Where all bodies are, on what, and which buttons are pressed; or why that cannot be said."""
 
@@ -66,20 +67,16 @@ def places(world: World[Any]) -> Answer:
 
 
 def outcome(scene: Scene, reading: str | None) -> tuple[Answer, Run | None]:
-    """What comes of a scene: where all are, or how it fails.
-
-    Raises:
-        ValueError: if an alternative does not say.
-    """
+    """What comes of a scene: where all are; or that it fails, is refused, or not to be said in rational numbers."""
     try:
         played = run(scene, reading)
         return places(played.game.world), played
-    except LevelError as error:
-        if reading is not None:
-            raise
-        return ("refused", str(error)), None
     except (Endless, GuardError, AssertionError) as error:
-        return ("fails", type(error).__name__), None
+        return (FAILS, type(error).__name__), None
+    except LevelError as error:
+        return ("refused", str(error)), None
+    except ValueError as error:
+        return ("undecided", str(error)), None
 
 
 @cache
@@ -118,7 +115,8 @@ class Comparison:
         differs: the number of the smallest scene on which it differs, if any.
         differing: on how many of the judged scenes it differs.
         broken: for each invariant that it breaks, the number of the smallest scene.
-        undecided: how many scenes it says nothing of.
+            `fails` stands among them for a step in which not exactly one rule applies, or which does not end.
+        undecided: how many scenes it refuses, or says nothing of.
     """
 
     differs: int | None = None
@@ -137,15 +135,14 @@ def compared(reading: str | None) -> Comparison:
         if found.differs is not None and not scene.judged:
             continue
         answer, broken = of_thesis(number)
-        try:
-            other, played = outcome(scene, reading)
-        except ValueError:
+        other, played = outcome(scene, reading)
+        if other[0] in ("refused", "undecided") and other[0] != answer[0]:
             found.undecided += 1
             continue
         if other != answer:
             found.differing += scene.judged
             found.differs = number if found.differs is None else found.differs
-            broken = frozenset(broken_by(scene, played))
+            broken = frozenset({FAILS} if other[0] == FAILS else broken_by(scene, played))
         for name in broken:
             found.broken.setdefault(name, number)
     return found

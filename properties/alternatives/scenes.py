@@ -170,6 +170,17 @@ def pairs_of_widths() -> Iterator[Scene]:
         yield from stepped((*ONE_EDGE, *TWO_EDGES), all_of(5), widths, requests(3, 6))
 
 
+def wide_pairs() -> Iterator[Scene]:
+    """Two bodies, both 3 wide, so that a jump can be longer than a move beyond the ledge."""
+    yield from stepped(TWO_EDGES[1:], all_of(4, 6), (3, 3), requests(3, 5))
+
+
+def overhanging() -> Iterator[Scene]:
+    """A body that is wider than the top it stands on, and overhangs both of its corners."""
+    places = [(Stand(top=1), -2, 5), (Stand(edge=0), 3, 2)]
+    yield from asked(stepped_level((0,), (8,), places), requests(1, 2))
+
+
 def triples() -> Iterator[Scene]:
     """Three bodies on up to two edges."""
     yield from stepped(ONE_EDGE, all_of(6), (2, 2, 2), requests(2))
@@ -228,7 +239,7 @@ def slopes() -> Iterator[Scene]:
         [(0, 0), (4, 3)],
         [(0, 0), (3, 4)],
         [(0, 0), (4, 3), (8, 0)],
-        [(0, 0), (3, 0), (6, 4)],
+        [(0, 0), (5, 0), (8, 4)],
         [(0, 0), (4, 3), (8, 0), (8, -1), (12, -1)],
         [(0, 0), (4, 3), (4, 2), (8, 2)],
     ):
@@ -270,5 +281,6 @@ def odd_graphs() -> Iterator[Scene]:
 @cache
 def scenes() -> tuple[Scene, ...]:
     """All scenes, the smallest first."""
-    kinds = (alone, pairs, pairs_of_widths, triples, twice, rings, ticks, wide_margins, slopes, buttons, odd_graphs)
+    on_level = (alone, pairs, pairs_of_widths, wide_pairs, overhanging, triples, twice, rings, ticks)
+    kinds = (*on_level, wide_margins, slopes, buttons, odd_graphs)
     return tuple(sorted((scene for kind in kinds for scene in kind()), key=lambda scene: scene.size))
