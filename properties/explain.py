@@ -20,6 +20,7 @@ from properties.results import Results
 from reference.formats.files import FormatError, read
 from reference.play import LIBRARY, library, play
 from reference.simulator import Fulfilled
+from spec.alternatives import ALTERNATIVES, Alternative
 from spec.differences import DIFFERENCES, Difference
 from spec.models import Model
 from spec.profiles import Profile, SteppedProfile
@@ -137,8 +138,11 @@ def facts(statement: Statement) -> Iterator[Fact]:
         yield replay(LIBRARY / "scenarios" / f"{statement.scenario}.json")
     elif isinstance(statement, Reading):
         yield Fact("others could read", statement.others)
+        yield from (Fact("alternative", f"{one.id}: {one.sentence}") for one in ALTERNATIVES if one.of == statement.id)
         if statement.scenario:
             yield replay(LIBRARY / "scenarios" / f"{statement.scenario}.json")
+    elif isinstance(statement, Alternative):
+        yield Fact("instead of", f"{statement.of}: {everything()[statement.of].sentence}")
     yield from claims_about(statement)
 
 

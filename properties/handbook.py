@@ -48,6 +48,7 @@ PAGES = (
         ("condition", "guideline", "unsupported"),
     ),
     Page("differences.md", "Differences", "Why `repaired` ends otherwise than `thesis`.", ("difference",)),
+    Page("alternatives.md", "Alternatives", "What else the thesis could mean.", ("alternative",)),
     Page("models.md", "Models", "What the level, the graph and time are.", ("model",)),
 )
 

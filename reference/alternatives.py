@@ -12,10 +12,11 @@ from typing import Any
 
 from reference.simulator import Fulfilled, Game
 from reference.world import Facing, LevelError, World
-from spec.alternatives import ALTERNATIVES, Alternative, ByTheFront, Instead
+from spec.alternatives import ALTERNATIVES, Alternative
 from spec.body import Body, EdgePosition, Level
 from spec.graph import Direction, EdgeType, Graph, rational_root
 from spec.number import N, greater, lesser, zero_like
+from spec.otherwise import ByTheFront, Instead
 from spec.plane import Box, box, boxes, carriers, terrain
 from spec.rule import AnyRule, Chooser, Family
 from spec.rules.leave import LEAVE, Departure, Placement

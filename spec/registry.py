@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Protocol
 
+from spec.alternatives import ALTERNATIVES
 from spec.conditions import CONDITIONS
 from spec.differences import DIFFERENCES
 from spec.guidelines import GUIDELINES
@@ -63,7 +64,7 @@ def statements() -> dict[str, Statement]:
     rules = {rule.id: rule for profile in PROFILES.values() for rule in rules_of(profile)}.values()
     everything: list[Statement] = [*PROFILES.values(), *rules, *MODELS, *OF_ONE_REQUEST, *RELATIONS, *IN_PLANE]
     everything += [*OF_ONE_STEP, *STEP_RELATIONS, *CONDITIONS, *GUIDELINES, *READINGS, *CASES, *RECORDED]
-    everything += DIFFERENCES
+    everything += [*DIFFERENCES, *ALTERNATIVES]
     table: dict[str, Statement] = {}
     for statement in everything:
         if table.setdefault(statement.id, statement) is not statement:

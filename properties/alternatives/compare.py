@@ -1,4 +1,4 @@
-"""What each reading makes of the scenes: the smallest on which it differs from the thesis, and what it keeps or breaks."""
+"""What each reading makes of the scenes: the smallest on which it differs from the thesis, and what it breaks."""
 
 from __future__ import annotations
 

@@ -12,7 +12,7 @@ import msgspec
 from properties.map.part import Finding, Findings, Part
 from spec.alternatives import ALTERNATIVES, Alternative
 
-THESIS = "thesis"
+THESIS, FAILS, PAGE = "thesis", "fails", "alternatives.md"
 
 
 @dataclass(frozen=True)
@@ -93,7 +93,7 @@ def finding(reading: str | None) -> Finding:
         "differing": found.differing,
         "undecided": found.undecided,
         "differs": None if found.differs is None else difference(found.differs, reading),
-        "broken": {name: number for name, number in sorted(found.broken.items())},
+        "broken": dict(sorted(found.broken.items())),
         "shown": {str(number): shown_scene(number) for number in sorted(shown)},
     }
 
@@ -183,32 +183,27 @@ def section(findings: Findings) -> list[str]:
     ]
 
 
-def invariants(findings: Findings) -> list[str]:
+def invariants() -> list[str]:
     """The IDs of the invariants that are judged, in their order."""
     from properties.alternatives.compare import INVARIANTS
 
     return [one.id for one in INVARIANTS]
 
 
-def headline(findings: Findings) -> list[str]:
+def headline(findings: Findings) -> Iterator[str]:
     """Which invariants hold under every reading, and what else is to be known of the tables."""
-    thesis = findings[THESIS]
-    everywhere = [
-        name
-        for name in invariants(findings)
-        if all(name not in findings[one]["broken"] for one in (THESIS, *played(findings)))
-    ]
-    told = [one for one in played(findings) if findings[one]["differs"] is not None]
-    return [
-        "Where the thesis leaves a question open, `thesis` takes one answer; here others stand beside it, each a small",
-        "change of the rules or of the world. All are played on the same scenes: small levels in whole numbers, from one",
-        f"body on one edge to three bodies on two, {thesis['scenes']} in all, the smallest first. A difference that is",
-        "shown is the smallest among these. The pictures show what `thesis` does.",
-        "",
-        f"**{len(told)} of {len(played(findings))} other readings end in other places on some scene.**",
-        f"**Under every reading played these hold: {listed(everywhere)}** (*tested*, in the {thesis['judged']} scenes of one step",
-        "that keep all guidelines on level ground).",
-    ]
+    thesis, others = findings[THESIS], played(findings)
+    kept = [name for name in invariants() if all(name not in findings[one]["broken"] for one in (THESIS, *others))]
+    told = [one for one in others if findings[one]["differs"] is not None]
+    yield "Where the thesis leaves a question open, `thesis` takes one answer. Here others stand beside it, each a"
+    yield "small change of the rules or of the world. All are played on the same scenes: small levels in whole numbers,"
+    yield f"from one body on one edge to three bodies on two, {thesis['scenes']} in all, the smallest first: fewest"
+    yield "bodies, then edges, then steps, then the least numbers. A difference that is shown is the smallest of these."
+    yield ""
+    yield f"- {len(told)} of {len(others)} other readings end in other places on some scene."
+    yield f"- **Invariants that hold under every reading: {listed(kept)}.** This is *tested*, in the {thesis['judged']}"
+    yield "  scenes of one step that keep all guidelines on level ground; it is no proof."
+    yield f"- `thesis` itself breaks {listed(list(thesis['broken']))} there."
 
 
 def listed(names: list[str]) -> str:
@@ -222,25 +217,35 @@ def entry(name: str, page: str) -> str:
     return f"[{name.partition('/')[2]}](reference/{page}#{name.replace('/', '-')})"
 
 
-def scene_link(number: int | str, text: str, findings: Findings) -> str:
-    """A link to a scene, if there is a file of it."""
-    return text if str(number) in refused(findings) else f"[{text}](map/witnesses/{witness_name(number)}.json)"
+def scene_link(number: int | str, text: str) -> str:
+    """A link to the file of a scene."""
+    return f"[{text}](map/witnesses/{witness_name(number)}.json)"
 
 
 def differences(findings: Findings) -> Iterator[str]:
     """A row for each alternative that differs: the smallest scene, and where bodies end in it."""
+    yield "Pictures show what `thesis` does. Only bodies that end in different places are named, from border to border."
+    yield ""
     yield "| row | other reading | smallest difference | `thesis` | the other |"
     yield "|---|---|---|---|---|"
     for name, one in played(findings).items():
         found = findings[name]["differs"]
-        if found is None:
-            continue
-        scene = all_shown(findings)[str(found["scene"])]
-        what = scene_link(found["scene"], size_of(scene), findings)
-        if str(found["scene"]) not in refused(findings):
-            what += f" ([picture](map/pictures/{witness_name(found['scene'])}.svg))"
-        ends = [ending(found[which], found) for which in ("thesis", "other")]
-        yield f"| {rows_of(one)} | {one.sentence} {entry(one.id, 'readings.md')} | {what} | {' | '.join(ends)} |"
+        if found is not None:
+            ends = [ending(found[which], found) for which in ("thesis", "other")]
+            yield f"| {told(one)} | {difference_link(found['scene'], findings)} | {' | '.join(ends)} |"
+
+
+def told(one: Alternative) -> str:
+    """The rows of an alternative and what it says, as two cells of a table."""
+    return f"{rows_of(one)} | {one.sentence} ({entry(one.id, PAGE)})"
+
+
+def difference_link(number: int, findings: Findings) -> str:
+    """The size of a scene, with its file and its picture; the thesis refuses some, of which there are none."""
+    scene = all_shown(findings)[str(number)]
+    if str(number) in refused(findings):
+        return size_of(scene)
+    return f"{scene_link(number, size_of(scene))} ([picture](map/pictures/{witness_name(number)}.svg))"
 
 
 def rows_of(one: Alternative) -> str:
@@ -276,38 +281,40 @@ def agreements(findings: Findings) -> Iterator[str]:
     """The alternatives that never differ, or that are not played, each with what that rests on."""
     yield "| row | other reading | | why |"
     yield "|---|---|---|---|"
+    of = {one.id: one for one in ALTERNATIVES}
     for name in PROVED_ALIKE:
-        found, one = findings[f"alike/{name}"], ALTERNATIVES[[a.id for a in ALTERNATIVES].index(name)]
+        found = findings[f"alike/{name}"]
         verdict = "unknown" if unsettled(findings, name) else "never differs: *bounded*"
-        why = f"up to {found['bodies']} bodies and {found['edges']} edges of arbitrary sizes, no edge shorter than the margin"
-        yield f"| {rows_of(one)} | {one.sentence} {entry(one.id, 'readings.md')} | {verdict} | {why} ({found['paths']} paths) |"
+        sizes = (
+            f"up to {found['bodies']} bodies and {found['edges']} edges of any sizes, no edge shorter than the margin"
+        )
+        yield f"| {told(of[name])} | {verdict} | {sizes}; {found['paths']} paths |"
     for name, one in played(findings).items():
         if findings[name]["differs"] is None and name not in PROVED_ALIKE:
-            why = f"no difference found in {findings[name]['scenes']} scenes"
-            yield f"| {rows_of(one)} | {one.sentence} {entry(one.id, 'readings.md')} | unknown | {why} |"
+            yield f"| {told(one)} | unknown | no difference found in {findings[name]['scenes']} scenes |"
     for row in UNPLAYED:
         yield f"| {row.row} | {row.other} | {row.status} | {row.reason} |"
 
 
 def matrix(findings: Findings) -> Iterator[str]:
-    """Which invariants each reading breaks, and with how few bodies; readings that break what the thesis does are few words."""
-    names = invariants(findings)
-    as_thesis = [one for one in played(findings) if breaks(findings, one) == breaks(findings, THESIS)]
-    yield "A number is that of the bodies of the smallest scene in which the invariant is broken; an empty cell means that it"
-    yield f"held in all {findings[THESIS]['judged']} judged scenes (*tested*). *Differs* counts the judged scenes that end in other places."
+    """Which invariants each reading breaks, with how few bodies; those that break what the thesis does in a list."""
+    names, judged = invariants(), findings[THESIS]["judged"]
+    alike = [one for one in played(findings) if breaks(findings, one) == breaks(findings, THESIS)]
+    yield "A number is that of the bodies of the smallest scene in which the invariant is broken. An empty cell means"
+    yield f"that it held in all {judged} judged scenes (*tested*). *Differs* counts those that end in other places than"
+    yield "under `thesis`."
     yield ""
     yield f"| reading | differs | {' | '.join(entry(name, 'invariants.md') for name in names)} |"
     yield "|---" * (len(names) + 2) + "|"
-    for one in (THESIS, *(name for name in played(findings) if name not in as_thesis)):
+    for one in (THESIS, *(name for name in played(findings) if name not in alike)):
         cells = [cell(findings, one, name) for name in names]
-        label = "`thesis`" if one == THESIS else entry(one, "readings.md")
+        label = "`thesis`" if one == THESIS else entry(one, PAGE)
         yield f"| {label} | {findings[one]['differing']} | {' | '.join(cells)} |"
-    yield ""
-    yield (
-        "These break the same invariants as `thesis`, with as many bodies: "
-        + ", ".join(f"{entry(one, 'readings.md')} ({findings[one]['differing']})" for one in as_thesis)
-        + "."
-    )
+    counted = [f"{entry(one, PAGE)} ({findings[one]['differing']})" for one in alike]
+    yield from ("", f"These break what `thesis` breaks, with as many bodies: {', '.join(counted)}.")
+    failing = [entry(one, PAGE) for one in played(findings) if FAILS in findings[one]["broken"]]
+    if failing:
+        yield f"On some scene these have no rule that applies, or do not end: {', '.join(failing)}."
 
 
 def breaks(findings: Findings, one: str) -> dict[str, int]:
@@ -319,7 +326,7 @@ def breaks(findings: Findings, one: str) -> dict[str, int]:
 def cell(findings: Findings, one: str, invariant: str) -> str:
     """How many bodies it takes to break an invariant, with the scene; empty if it holds."""
     number = findings[one]["broken"].get(invariant)
-    return "" if number is None else scene_link(number, str(breaks(findings, one)[invariant]), findings)
+    return "" if number is None else scene_link(number, str(breaks(findings, one)[invariant]))
 
 
 PART = Part("readings", "Readings: what else the thesis could mean", jobs, section, witnesses, broken)
