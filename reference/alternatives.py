@@ -184,11 +184,11 @@ class Sliding(World[N]):
 
     def put(self, body: int, left: EdgePosition[N], right: EdgePosition[N]) -> None:
         """Put a body, and its riders where they were in the plane."""
-        before, row, start = self.bodies[body].left, self.row(body), self.coordinate(self.bodies[body].left)
+        before = self.copy()
         super().put(body, left, right)
-        if self.row(body).edges == row.edges and before != left:
+        if self.row(body).edges == before.row(body).edges:
             for rider in self.row_of_edge[self.statics + body].order:
-                self.shift(rider, start - self.coordinate(left))
+                self.shift(rider, self.travel(before, body, Direction.LEFT))
 
     def shift(self, rider: int, by: N) -> None:
         """Move a body along the top it stands on; what rides on it goes with it."""
@@ -201,17 +201,17 @@ class Colliding(Sliding[N]):
 
     def put(self, body: int, left: EdgePosition[N], right: EdgePosition[N]) -> None:
         """Put a body, and hold back the riders that would come nearer to others than they may."""
-        before, row = self.copy(), self.row(body)
+        before = self.copy()
         World.put(self, body, left, right)
-        if self.row(body).edges != row.edges:
+        if self.row(body).edges != before.row(body).edges:
             return
-        carriers = [(body, self.coordinate(left) - before.coordinate(before.bodies[body].left))]
-        while carriers:
-            carrier, moved = carriers.pop()
+        waiting = [(body, self.travel(before, body, Direction.RIGHT))]
+        while waiting:
+            carrier, moved = waiting.pop()
             for rider in list(self.row_of_edge[self.statics + carrier].order):
                 carried = room(before, self, rider, moved)
                 self.shift(rider, carried - moved)
-                carriers.append((rider, carried))
+                waiting.append((rider, carried))
 
 
 def room(before: World[Any], after: World[Any], rider: int, moved: Any) -> Any:

@@ -230,13 +230,15 @@ class ByTheFront:
         return replace(rule, effect=self.stop_with_the_front if cut_back else lambda _: rule.effect(early))
 
     def stop_with_the_front(self, leaving: Departure[Any, Any]) -> Placement[Any, Any]:
-        """Cut the move back so that the front border is not beyond the end of its edge, but not behind its start."""
-        moved = greater(leaving.moved + self.view.reach(leaving.front), zero_like(leaving.moved))
-        front, rear = (
-            walk_freely(self.rules.walk, self.view, at, moved).at
-            for at in (self.view.front(self.body), self.view.rear(self.body))
-        )
-        return Placement(front, rear, moved)
+        """Cut the move back to where the front border is at the end of its edge."""
+        return cut_to_the_front(self.rules, self.view, self.body, leaving)
+
+
+def cut_to_the_front(rules: Rules, view: Any, body: Any, leaving: Departure[Any, Any]) -> Placement[Any, Any]:
+    """Cut a move back to where the front border is at the end of its edge, or to its start if that was beyond."""
+    moved = greater(leaving.moved + view.reach(leaving.front), zero_like(leaving.moved))
+    front, rear = (walk_freely(rules.walk, view, at, moved).at for at in (view.front(body), view.rear(body)))
+    return Placement(front, rear, moved)
 
 
 def either_border_falls(rules: Rules, view: Any, body: Any, distance: Any, spare: int) -> Generator[Any, Any, Any]:
@@ -289,11 +291,10 @@ def walled_corners(rules: Rules, view: Any, body: Any, distance: Any, spare: int
     """The front border stops at the corner of a top, unless a jump edge is near there."""
 
     def stopped(leaving: Departure[Any, Any]) -> Placement[Any, Any]:
-        beyond = lesser(view.reach(leaving.front), zero_like(leaving.moved))
         early = depart(rules, view, body, leaving.front, leaving.front, leaving.moved)
-        if beyond >= zero_like(beyond) or early.foot is not None or early.near:
+        if view.reach(leaving.front) >= zero_like(leaving.moved) or early.foot is not None or early.near:
             return stay(leaving)
-        return Placement(view.end(leaving.front), view.along(leaving.rear, beyond), leaving.moved + beyond)
+        return cut_to_the_front(rules, view, body, leaving)
 
     walled = Instead(rules.leave, ("leave/stay", "leave/nowhere"), stopped)
     return (yield from request(replace(rules, leave=walled), view, body, distance, spare))

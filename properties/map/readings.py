@@ -297,10 +297,10 @@ def agreements(findings: Findings) -> Iterator[str]:
 
 
 def matrix(findings: Findings) -> Iterator[str]:
-    """Which invariants each reading breaks, with how few bodies; those that break what the thesis does in a list."""
+    """Which invariants each reading breaks, in how small scenes; those that break what the thesis does in a list."""
     names, judged = invariants(), findings[THESIS]["judged"]
     alike = [one for one in played(findings) if breaks(findings, one) == breaks(findings, THESIS)]
-    yield "A number is that of the bodies of the smallest scene in which the invariant is broken. An empty cell means"
+    yield "`2 on 1` says: the smallest scene in which the invariant is broken has 2 bodies on 1 edge. An empty cell means"
     yield f"that it held in all {judged} judged scenes (*tested*). *Differs* counts those that end in other places than"
     yield "under `thesis`."
     yield ""
@@ -311,22 +311,32 @@ def matrix(findings: Findings) -> Iterator[str]:
         label = "`thesis`" if one == THESIS else entry(one, PAGE)
         yield f"| {label} | {findings[one]['differing']} | {' | '.join(cells)} |"
     counted = [f"{entry(one, PAGE)} ({findings[one]['differing']})" for one in alike]
-    yield from ("", f"These break what `thesis` breaks, with as many bodies: {', '.join(counted)}.")
+    yield from ("", f"These break what `thesis` breaks, in scenes as small: {', '.join(counted)}.")
+    yield f"These keep what `thesis` breaks: {'; '.join(mended(findings))}."
     failing = [entry(one, PAGE) for one in played(findings) if FAILS in findings[one]["broken"]]
     if failing:
         yield f"On some scene these have no rule that applies, or do not end: {', '.join(failing)}."
 
 
-def breaks(findings: Findings, one: str) -> dict[str, int]:
-    """The invariants that a reading breaks, each with the number of bodies of the smallest scene."""
+def mended(findings: Findings) -> Iterator[str]:
+    """The readings that keep an invariant which the thesis breaks, each with these invariants."""
+    for one in played(findings):
+        kept = [name for name in findings[THESIS]["broken"] if name not in findings[one]["broken"]]
+        if kept:
+            yield f"{entry(one, PAGE)}: {listed(kept)}"
+
+
+def breaks(findings: Findings, one: str) -> dict[str, str]:
+    """The invariants that a reading breaks, each with the bodies and edges of the smallest scene."""
     shown = findings[one]["shown"]
-    return {name: shown[str(number)]["bodies"] for name, number in findings[one]["broken"].items()}
+    scenes = {name: shown[str(number)] for name, number in findings[one]["broken"].items()}
+    return {name: f"{scene['bodies']} on {scene['edges']}" for name, scene in scenes.items()}
 
 
 def cell(findings: Findings, one: str, invariant: str) -> str:
-    """How many bodies it takes to break an invariant, with the scene; empty if it holds."""
+    """How many bodies and edges it takes to break an invariant, with the scene; empty if it holds."""
     number = findings[one]["broken"].get(invariant)
-    return "" if number is None else scene_link(number, str(breaks(findings, one)[invariant]))
+    return "" if number is None else scene_link(number, breaks(findings, one)[invariant])
 
 
 PART = Part("readings", "Readings: what else the thesis could mean", jobs, section, witnesses, broken)
