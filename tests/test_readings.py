@@ -129,3 +129,9 @@ def test_scenes_are_read_back_from_their_documents(findings):
     shown = findings["reading/landing-position/overshoot"]["shown"]
     number, one = next(iter(shown.items()))
     assert outcome(scene_of(one["scenario"]), None)[0] == outcome(scenes()[int(number)], None)[0]
+
+
+def test_every_row_about_behaviour_is_accounted_for():
+    rows = {f"A{number}" for number in [*range(1, 32), 38, 41, 42, 43, 48, *range(52, 60)]}
+    told = [one.source.partition("; ")[2] for one in ALTERNATIVES] + [one.row for one in UNPLAYED]
+    assert rows == {row for source in told for row in source.split(", ") if row.startswith("A")}

@@ -20,7 +20,6 @@ from spec.invariants import equal, every
 from spec.number import Truth
 from spec.profiles import THESIS
 
-MOST_BODIES, MOST_EDGES = 2, 3
 Draw = Callable[[Given], tuple[Level[Any], Any]]
 
 
@@ -31,18 +30,18 @@ def on_ledges(shape: Shape, given: Given) -> tuple[Level[Any], Any]:
     return level, asked
 
 
-def on_string(bodies: int, edges: int, closed: bool, given: Given) -> tuple[Level[Any], Any]:
-    """Any row on a string, no edge of which is shorter than the margin, and any distance."""
-    return any_level(given, bodies, edges, closed), given.number("distance asked")
+def on_string(bodies: int, edges: int, given: Given) -> tuple[Level[Any], Any]:
+    """Any row on a line, no edge of which is shorter than the margin, and any distance."""
+    return any_level(given, bodies, edges, closed=False), given.number("distance asked")
 
 
-def draws() -> Iterator[Draw]:
-    """All kinds of scenes, on ledges and on strings."""
-    for shape in shapes(MOST_BODIES, MOST_EDGES, guided=True):
+def draws(most_bodies: int, most_edges: int) -> Iterator[Draw]:
+    """All kinds of scenes up to a size, on ledges and on strings."""
+    for shape in shapes(most_bodies, most_edges, guided=True):
         yield partial(on_ledges, shape)
-    for bodies in range(1, MOST_BODIES + 1):
-        for edges in range(1, MOST_EDGES + 1):
-            yield partial(on_string, bodies, edges, False)
+    for bodies in range(1, most_bodies + 1):
+        for edges in range(1, most_edges + 1):
+            yield partial(on_string, bodies, edges)
 
 
 def ends_alike(reading: str, draw: Draw, profile: None, given: Given) -> None:
@@ -64,13 +63,13 @@ def same_places(one: World[Any], other: World[Any]) -> Truth:
     return every(truths)
 
 
-def agreement(reading: str) -> dict[str, Any]:
+def agreement(reading: str, bodies: int, edges: int) -> dict[str, Any]:
     """What the explorer says of an alternative: how many paths, and what is open or broken, if anything."""
     paths, unsettled = 0, []
-    for draw in draws():
+    for draw in draws(bodies, edges):
         outcome: Outcome = explore(partial(judged, partial(ends_alike, reading, draw), None))
         paths += outcome.paths
         unsettled += outcome.open
         if outcome.counterexample is not None:
             unsettled.append(f"differ: {outcome.counterexample.values}")
-    return {"paths": paths, "bodies": MOST_BODIES, "edges": MOST_EDGES, "unsettled": unsettled}
+    return {"paths": paths, "bodies": bodies, "edges": edges, "unsettled": unsettled}

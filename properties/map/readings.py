@@ -62,22 +62,26 @@ UNPLAYED: tuple[Unplayed, ...] = (
     ),
 )
 
-PROVED_ALIKE = ("reading/one-fall/any-number", "reading/sight/whole-string", "reading/vertex-names/next-edge")
-"""The alternatives that are held beside the thesis on scenes of arbitrary sizes, no edge shorter than the margin."""
+PROVED_ALIKE = {
+    "reading/one-fall/any-number": (2, 3),
+    "reading/sight/whole-string": (2, 3),
+    "reading/vertex-names/next-edge": (2, 2),
+}
+"""The alternatives that are held beside the thesis on scenes of any sizes, up to so many bodies and edges."""
 
 
 def jobs() -> Mapping[str, Callable[[], Finding]]:
     """What the thesis does with all scenes, what each alternative does, and which never differ."""
     found: dict[str, Callable[[], Finding]] = {THESIS: partial(finding, None)}
     found |= {one.id: partial(finding, one.id) for one in ALTERNATIVES}
-    return found | {f"alike/{name}": partial(alike, name) for name in PROVED_ALIKE}
+    return found | {f"alike/{name}": partial(alike, name, *size) for name, size in PROVED_ALIKE.items()}
 
 
-def alike(reading: str) -> Finding:
+def alike(reading: str, bodies: int, edges: int) -> Finding:
     """What the explorer says of an alternative beside the thesis."""
     from properties.alternatives.agree import agreement
 
-    return agreement(reading)
+    return agreement(reading, bodies, edges)
 
 
 def finding(reading: str | None) -> Finding:
@@ -297,12 +301,12 @@ def agreements(findings: Findings) -> Iterator[str]:
 
 
 def matrix(findings: Findings) -> Iterator[str]:
-    """Which invariants each reading breaks, in how small scenes; those that break what the thesis does in a list."""
+    """Which invariants each reading breaks, and in how small a scene; those that are as the thesis in a list."""
     names, judged = invariants(), findings[THESIS]["judged"]
     alike = [one for one in played(findings) if breaks(findings, one) == breaks(findings, THESIS)]
-    yield "`2 on 1` says: the smallest scene in which the invariant is broken has 2 bodies on 1 edge. An empty cell means"
-    yield f"that it held in all {judged} judged scenes (*tested*). *Differs* counts those that end in other places than"
-    yield "under `thesis`."
+    yield "`2 on 1` says: the smallest scene in which the invariant is broken has 2 bodies on 1 edge. An empty cell"
+    yield f"means that it held in all {judged} judged scenes (*tested*). *Differs* counts those that end in other"
+    yield "places than under `thesis`."
     yield ""
     yield f"| reading | differs | {' | '.join(entry(name, 'invariants.md') for name in names)} |"
     yield "|---" * (len(names) + 2) + "|"
