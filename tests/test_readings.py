@@ -4,6 +4,7 @@ from copy import deepcopy
 
 import pytest
 
+from properties.alternatives.agree import agreement
 from properties.alternatives.answers import scene_of
 from properties.alternatives.compare import broken_by, outcome
 from properties.alternatives.scenes import asked, requests, scenes, stepped_level
@@ -135,3 +136,10 @@ def test_every_row_about_behaviour_is_accounted_for():
     rows = {f"A{number}" for number in [*range(1, 32), 38, 41, 42, 43, 48, *range(52, 60)]}
     told = [one.source.partition("; ")[2] for one in ALTERNATIVES] + [one.row for one in UNPLAYED]
     assert rows == {row for source in told for row in source.split(", ") if row.startswith("A")}
+
+
+def test_readings_that_differ_are_not_found_alike():
+    assert any(
+        problem.startswith("differ") for problem in agreement("reading/landing-position/overshoot", 1, 2)["unsettled"]
+    )
+    assert not agreement("reading/one-fall/any-number", 1, 2)["unsettled"]

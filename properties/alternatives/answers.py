@@ -82,18 +82,17 @@ def answer(scene: Scene, reading: str | None) -> dict[str, Any]:
     return {"bodies": found, "pressed": list(ended[-1])}
 
 
-def replayed(reading: str | None, found: Mapping[str, Any]) -> Iterator[str]:
-    """What of a finding does not come again when its scenes are played."""
-    shown = {int(number): scene_of(one["scenario"]) for number, one in found["shown"].items()}
+def replayed(reading: str | None, found: Mapping[str, Any], shown: Mapping[str, Any]) -> Iterator[str]:
+    """What of a finding does not come again when its scenes are played; `shown` has them by their numbers."""
     name, differs = reading or "thesis", found["differs"]
     if differs is not None:
-        scene = shown[differs["scene"]]
+        scene = scene_of(shown[str(differs["scene"])]["scenario"])
         if (answer(scene, None), answer(scene, reading)) != (differs["thesis"], differs["other"]):
             yield f"{name}: scene {differs['scene']} ends otherwise than was found"
         if differs["thesis"] == differs["other"]:
             yield f"{name}: scene {differs['scene']} ends alike under both readings"
     for invariant, number in found["broken"].items():
-        if invariant not in broken_in(shown[number], reading):
+        if invariant not in broken_in(scene_of(shown[str(number)]["scenario"]), reading):
             yield f"{name}: scene {number} keeps {invariant}, which was found broken"
 
 

@@ -146,3 +146,13 @@ def compared(reading: str | None) -> Comparison:
         for name in broken:
             found.broken.setdefault(name, number)
     return found
+
+
+@cache
+def broken_by_thesis() -> dict[str, int]:
+    """For each invariant that the thesis breaks, the number of the smallest scene."""
+    found: dict[str, int] = {}
+    for number, scene in enumerate(scenes()):
+        for name in of_thesis(number)[1] if scene.judged else ():
+            found.setdefault(name, number)
+    return found

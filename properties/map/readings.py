@@ -85,12 +85,13 @@ def alike(reading: str, bodies: int, edges: int) -> Finding:
 
 
 def finding(reading: str | None) -> Finding:
-    """An alternative beside the thesis, with the scenes that show what there is to show."""
-    from properties.alternatives.compare import compared
+    """An alternative beside the thesis, with the scenes that show it, but for those that the thesis shows alike."""
+    from properties.alternatives.compare import broken_by_thesis, compared
     from properties.alternatives.scenes import scenes
 
     found = compared(reading)
     shown = {*found.broken.values()} | ({found.differs} if found.differs is not None else set())
+    shown -= set() if reading is None else set(broken_by_thesis().values())
     return {
         "scenes": len(scenes()),
         "judged": sum(scene.judged for scene in scenes()),
@@ -156,10 +157,10 @@ def broken(findings: Findings) -> Iterator[str]:
     """Plays every scene that is shown again, under the thesis and under its alternative, in fractions."""
     from properties.alternatives.answers import replayed
 
-    expected = set(jobs())
+    expected, shown = set(jobs()), all_shown(findings)
     yield from (f"{name}: expected a finding; run `make map`" for name in sorted(expected ^ set(findings)))
     for name in (THESIS, *played(findings)):
-        yield from replayed(None if name == THESIS else name, findings[name])
+        yield from replayed(None if name == THESIS else name, findings[name], shown)
     yield from (f"{name}: expected readings that never differ" for name in PROVED_ALIKE if unsettled(findings, name))
 
 
@@ -177,7 +178,7 @@ def section(findings: Findings) -> list[str]:
         "",
         *differences(findings),
         "",
-        "### Where they do not",
+        "### Where none was found, or none can be played",
         "",
         *agreements(findings),
         "",
@@ -270,7 +271,7 @@ def ending(ended: Mapping[str, Any], found: Mapping[str, Any]) -> str:
     other = [found[which].get("bodies", {}) for which in ("thesis", "other")]
     different = [name for name in ended["bodies"] if other[0].get(name) != other[1].get(name)]
     said = [f"{name} {where(ended['bodies'][name])}" for name in different]
-    if found["thesis"].get("pressed") != found["other"].get("pressed"):
+    if other[0] and other[1] and found["thesis"]["pressed"] != found["other"]["pressed"]:
         said.append("the button is pressed" if all(ended["pressed"]) else "the button is not pressed")
     return "; ".join(said)
 
@@ -317,9 +318,16 @@ def matrix(findings: Findings) -> Iterator[str]:
     counted = [f"{entry(one, PAGE)} ({findings[one]['differing']})" for one in alike]
     yield from ("", f"These break what `thesis` breaks, in scenes as small: {', '.join(counted)}.")
     yield f"These keep what `thesis` breaks: {'; '.join(mended(findings))}."
+    yield f"Scenes that these refuse, or on which they have no rational answer, are left out: {left_out(findings)}."
     failing = [entry(one, PAGE) for one in played(findings) if FAILS in findings[one]["broken"]]
     if failing:
         yield f"On some scene these have no rule that applies, or do not end: {', '.join(failing)}."
+
+
+def left_out(findings: Findings) -> str:
+    """The readings that refuse a scene, or have no rational answer, with the number of these scenes."""
+    counts = {one: findings[one]["undecided"] for one in played(findings)}
+    return ", ".join(f"{entry(one, PAGE)} ({count})" for one, count in counts.items() if count)
 
 
 def mended(findings: Findings) -> Iterator[str]:
@@ -332,7 +340,7 @@ def mended(findings: Findings) -> Iterator[str]:
 
 def breaks(findings: Findings, one: str) -> dict[str, str]:
     """The invariants that a reading breaks, each with the bodies and edges of the smallest scene."""
-    shown = findings[one]["shown"]
+    shown = all_shown(findings)
     scenes = {name: shown[str(number)] for name, number in findings[one]["broken"].items()}
     return {name: f"{scene['bodies']} on {scene['edges']}" for name, scene in scenes.items()}
 
