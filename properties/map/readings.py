@@ -30,6 +30,12 @@ NO_DIFFERENCE, NOT_THERE = "never differs, by argument", "not played"
 UNPLAYED: tuple[Unplayed, ...] = (
     Unplayed("A1", "characters first", NO_DIFFERENCE, "Only characters have a turn in a tick, in the level's order."),
     Unplayed(
+        "A13",
+        "a body is met at its borders only",
+        NO_DIFFERENCE,
+        "Of a body ahead, the border that faces the motion is met first, whichever edges lie between its borders.",
+    ),
+    Unplayed(
         "A17, A38",
         "velocity is lost, or cut down, by a fall or a block",
         NO_DIFFERENCE,
