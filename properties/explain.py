@@ -20,6 +20,7 @@ from properties.results import Results
 from reference.formats.files import FormatError, read
 from reference.play import LIBRARY, library, play
 from reference.simulator import Fulfilled
+from spec.alternatives import ALTERNATIVES, Alternative
 from spec.case import Case
 from spec.differences import DIFFERENCES, Difference
 from spec.errata import Erratum
@@ -144,12 +145,15 @@ def facts(statement: Statement) -> Iterator[Fact]:
         yield Fact("measured in", f"docs/evaluation.md#{statement.section}")
     elif isinstance(statement, Reading):
         yield Fact("others could read", statement.others)
+        yield from (Fact("alternative", f"{one.id}: {one.sentence}") for one in ALTERNATIVES if one.of == statement.id)
         if statement.scenario:
             yield replay(LIBRARY / "scenarios" / f"{statement.scenario}.json")
     elif isinstance(statement, Case | LevelCase | ChangeCase):
         yield Fact("where", said(statement.happened if isinstance(statement, Case) else statement.found))
     elif isinstance(statement, Erratum):
         yield from of_erratum(statement)
+    elif isinstance(statement, Alternative):
+        yield Fact("instead of", f"{statement.of}: {everything()[statement.of].sentence}")
     yield from claims_about(statement)
 
 

@@ -7,7 +7,7 @@ from dataclasses import asdict, dataclass, field, replace
 from typing import Any, Generic
 
 from reference.physics import set_off
-from reference.world import Work, World
+from reference.world import Facing, Work, World
 from spec.body import Body, Level
 from spec.graph import Direction
 from spec.number import N, greater, zero_like
@@ -115,9 +115,17 @@ def fulfil(start: Ask[N, int], begin: Callable[[Ask[N, int]], Generator[Ask[N, i
 
 
 def move(
-    profile: Profile, world: World[N], body: int, direction: Direction, distance: N, most: int | None = None
+    profile: Profile,
+    world: World[N],
+    body: int,
+    direction: Direction,
+    distance: N,
+    most: int | None = None,
+    asked: Callable[..., Generator[Ask[N, int], N, N]] = request,
 ) -> tuple[N, Record]:
     """Request `body` to move by `distance >= 0` in a direction; return the distance moved and the record.
+
+    `asked` is how each request of the chain is carried out.
 
     Raises:
         Endless: if more than `most` rules fire.
@@ -127,7 +135,7 @@ def move(
     limit = profile.push_limit(len(world.bodies))
 
     def begin(ask: Ask[N, int]) -> Generator[Ask[N, int], N, N]:
-        return request(rules, view, ask.body, ask.distance, ask.spare)
+        return asked(rules, view, ask.body, ask.distance, ask.spare)
 
     return fulfil(Ask(body, distance, limit - 1), begin, record), record
 
@@ -181,8 +189,16 @@ class Game(Generic[N]):
 
     def __post_init__(self) -> None:
         """Set the level up; that it is valid is for `world_of` to check, in exact numbers."""
-        self.world = World(self.level)
+        self.world = self.laid_out()
         self.handles = {body.name: handle for handle, body in enumerate(self.level.bodies)}
+
+    def laid_out(self) -> World[N]:
+        """The world of the level."""
+        return World(self.level)
+
+    def asked(self, rules: Rules, view: Facing[N], body: int, distance: N, spare: int) -> Generator[Ask[N, int], N, N]:
+        """Carry out one request of a chain."""
+        return request(rules, view, body, distance, spare)
 
     def request(self, body: str, distance: N) -> Fulfilled[N]:
         """Request a body to move by a signed distance, positive to the right."""
@@ -190,7 +206,7 @@ class Game(Generic[N]):
         direction = Direction.LEFT if distance < zero else Direction.RIGHT
         size = greater(distance, zero - distance)
         self.world.work = Work()
-        moved, record = move(self.profile, self.world, self.handles[body], direction, size, self.most)
+        moved, record = move(self.profile, self.world, self.handles[body], direction, size, self.most, self.asked)
         work = {**asdict(self.world.work), "transitions": record.transitions}
         fired = tuple((self.world.bodies[handle].name, rule) for handle, rule in record.fired)
         return Fulfilled(body, distance, moved * direction, fired, record.depth, work)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Protocol
 
+from spec.alternatives import ALTERNATIVES
 from spec.conditions import CONDITIONS
 from spec.designs import DESIGNS
 from spec.differences import DIFFERENCES
@@ -103,6 +104,7 @@ def statements() -> dict[str, Statement]:
         *DIFFERENCES,
         *ERRATA,
         *MENDS,
+        *ALTERNATIVES,
         *EVALUATED,
     ]
     table: dict[str, Statement] = {}
