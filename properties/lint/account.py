@@ -15,6 +15,7 @@ from reference.formats.files import FormatError, one_line, write
 from reference.formats.level import level_record
 from reference.formats.numbers import number_text
 from reference.formats.scenario import RequestRecord, ScenarioRecord, StepRecord
+from spec.conditions import PLANE_START
 from spec.guidelines import GUIDELINES
 from spec.profiles import REPAIRED, Profile
 from spec.registry import statements
@@ -35,7 +36,7 @@ def record_of(linted: Linted, found: Found, directory: Path = LINTS) -> LintReco
         findings=[finding_record(one, records) for one in found.findings],
         wrong=[records[one] for one in found.others],
         requests=0 if found.searched is None else found.searched.requests,
-        all_tried=found.searched is not None and not found.searched.spent,
+        all_tried=found.searched is not None and not (found.searched.spent or found.searched.left_out),
         storeys=None if refused is None else f"{under(linted.where, refused.place)}: {refused.problem}",
     )
 
@@ -151,13 +152,13 @@ def closing(linted: Linted, record: LintRecord) -> Iterator[str]:
         yield from text(searched(record), 0)
     if record.profile != REPAIRED.name:
         fits = record.storeys is None
-        line = "It is a level of storeys." if fits else f"It is none of storeys: {record.storeys}"
-        yield from text(f"Under repaired the guidelines are not needed. {line}", 0)
+        line = "this is a level of storeys, as it needs." if fits else f"it needs a level of storeys: {record.storeys}"
+        yield from text(f"For repaired {line}", 0)
 
 
 def searched(record: LintRecord) -> str:
     """What was searched, in words."""
-    if not record.requests:
+    if any(one.statement == PLANE_START.id for one in record.findings):
         return "No request was tried: first mend how the bodies stand at the start."
     ends = "up to two in a row" if record.all_tried else "as many as the budget allows"
     return f"{record.requests} requests were tried, of each body in both directions, {ends}."

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from bisect import bisect_left
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
-from properties.lint.search import Range, Search, Some, Wrong, hull, near, range_of, search
+from properties.lint.search import Range, Search, Some, Wrong, hull, range_of, search, shifts
 from reference.formats.files import FormatError, one_line
 from reference.formats.level import LevelRecord, valid_level
 from reference.plan import check_plan
@@ -17,13 +18,14 @@ from reference.world import LevelError, World
 from spec.body import Level
 from spec.conditions import EDGES_LONG, PLANE_START, clearances_demanded, lengths_demanded
 from spec.demand import Demand, Element, Place, breaches
-from spec.graph import Edge, EdgeType
+from spec.graph import EdgeType
 from spec.guidelines import GUIDELINES, Size, sizes_of
 from spec.profiles import AnyProfile, Profile
 from spec.registry import Statement, statements
 
 OF_STOREYS = "model/storeys"
-MOST_NAMED, MOST_REACHES = 3, 20
+MOST_NAMED, MOST_REACHES, MOST_EDGES = 3, 20, 500
+NOT_LOOKED = f"more than {MOST_EDGES} edges, which only --profile repaired looks at"
 
 
 @dataclass(frozen=True)
@@ -81,9 +83,11 @@ def opened(file: Path, profile: str | None) -> Linted:
 
 def found_in(linted: Linted) -> Found:
     """Look for places where something is not kept, and for requests that go wrong."""
-    storeys = storeys_refused(linted.level)
     if not isinstance(linted.profile, Profile):
+        storeys = storeys_refused(linted.level)
         return Found([] if storeys is None else [of_storeys(linted, storeys)], [], None, storeys)
+    few = len(linted.level.graph.edges) <= MOST_EDGES
+    storeys = storeys_refused(linted.level) if few else LevelError("$", NOT_LOOKED)
     world = World(linted.level)
     findings = [finding(linted, world, *one) for one in not_kept(world)]
     if any(one.statement is PLANE_START for one in findings):
@@ -115,24 +119,35 @@ def not_kept(world: World[Fraction]) -> Iterator[tuple[Statement, Demand]]:
     for guideline in GUIDELINES:
         yield from ((guideline, one) for one in first_of_each(breaches(guideline.demands(world.graph, sizes))))
     yield from ((EDGES_LONG, one) for one in breaches(lengths_demanded(world)))
+    terrain = Grounds(world)
     for group in groups(world):
-        yield from ((PLANE_START, one) for one in clearances_of(world, group))
+        yield from ((PLANE_START, one) for one in clearances_of(world, group, terrain))
 
 
-def clearances_of(world: World[Fraction], group: list[int]) -> Iterator[Demand]:
+class Grounds:
+    """The ground edges of a level from left to right: those that are near some range are found without all others."""
+
+    def __init__(self, world: World[Fraction]) -> None:
+        self.world = world
+        edges = [(number, edge) for number, edge in enumerate(world.graph.edges) if edge.type is EdgeType.GROUND]
+        self.longest = max((edge.length for _, edge in edges), default=Fraction(0))
+        starts = [(world.graph.vertices[edge.left].x, number) for number, edge in edges]
+        self.starts = sorted((x + by, number) for x, number in starts for by in shifts(world))
+
+    def near(self, reach: Range) -> list[int]:
+        """The numbers of those that may be nearer to a range than the margin."""
+        first = bisect_left(self.starts, (reach[0] - self.longest - self.world.margin, 0))
+        last = bisect_left(self.starts, (reach[1] + self.world.margin, 0))
+        return sorted({number for _, number in self.starts[first:last]})
+
+
+def clearances_of(world: World[Fraction], group: list[int], terrain: Grounds) -> Iterator[Demand]:
     """The clearances that some bodies do not keep, to each other and to the terrain that is where they are."""
-    reach, edges = hull(range_of(world, body) for body in group), world.graph.edges
-    numbers = [number for number, edge in enumerate(edges) if near(range_of_edge(world, edge), reach, world)]
-    graph = replace(world.graph, edges=tuple(edges[number] for number in numbers))
+    numbers = terrain.near(hull(range_of(world, body) for body in group))
+    graph = replace(world.graph, edges=tuple(world.graph.edges[number] for number in numbers))
     for one in breaches(clearances_demanded(Some(world, group, graph))):
         others = [replace(place, number=numbers[place.number]) for place in one.others if place.element is Element.EDGE]
         yield replace(one, others=tuple(others)) if others else one
-
-
-def range_of_edge(world: World[Fraction], edge: Edge[Fraction]) -> Range:
-    """Between where in the plane an edge is; on a cylinder maybe beyond once round."""
-    left = world.graph.vertices[edge.left].x
-    return left, left + edge.run * edge.length
 
 
 def grouped(sizes: Iterable[Size]) -> list[Size]:
@@ -153,17 +168,19 @@ def first_of_each(demands: Iterable[Demand]) -> Iterator[Demand]:
     return iter(found.values())
 
 
-def groups(world: World[Fraction]) -> Iterator[list[int]]:
-    """The bodies, from left to right, in groups that are at least the margin apart; on a cylinder all of them."""
-    group: list[int] = []
+def groups(world: World[Fraction]) -> list[list[int]]:
+    """The bodies, from left to right, in groups that are at least the margin apart."""
+    ranges = sorted((range_of(world, body), body) for body in world.handles())
+    found: list[list[int]] = []
     end = Fraction(0)
-    for (left, right), body in sorted((range_of(world, body), body) for body in world.handles()):
-        if group and left >= end + world.margin and world.graph.circumference is None:
-            yield group
-            group = []
-        end = max(end, right) if group else right
-        group.append(body)
-    yield group
+    for (left, right), body in ranges:
+        if not found or left >= end + world.margin:
+            found.append([])
+        end = max(end, right) if found[-1] else right
+        found[-1].append(body)
+    if world.graph.circumference is not None and len(found) > 1:
+        found[0] += found.pop()
+    return found
 
 
 def finding(linted: Linted, world: World[Fraction], statement: Statement, demand: Demand) -> Finding:

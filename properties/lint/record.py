@@ -37,7 +37,7 @@ class LintRecord(Record, frozen=True, kw_only=True):
     findings: Annotated[list[FindingRecord], says("where something is not kept")]
     wrong: Annotated[list[WrongRecord], says("requests by which something else goes wrong than at the findings")]
     requests: Annotated[int, says("how many requests were tried")]
-    all_tried: Annotated[bool, says("whether all requests were tried that were to be, or the budget was spent before")]
+    all_tried: Annotated[bool, says("whether all requests that were to be tried were; else the budget was spent")]
     storeys: Annotated[
         str | None,
         says("the place, and what is in the way there, if the level is none of storeys, for `repaired`"),

@@ -23,7 +23,7 @@ from spec.plane import IN_PLANE
 from spec.profiles import Profile
 from spec.unsupported import CASES
 
-MOST_REQUESTS, MOST_WORK = 1_500, 120_000
+MOST_REQUESTS, MOST_WORK, MOST_JUDGED = 1_500, 100_000, 20_000
 MOST_DISTANCES, LEAST_DISTANCES = 60, 6
 LONGEST = 2
 
@@ -66,20 +66,24 @@ class State:
 
 
 def range_of(world: World[Fraction], body: int) -> Range:
-    """Between where in the plane a body is."""
-    held = world.bodies[body]
-    xs = [world.point(at)[0] for at in (held.left, held.right)]
-    return min(xs), max(xs)
+    """Between where in the plane a body is; on a cylinder maybe beyond once round."""
+    held, round_ = world.bodies[body], world.graph.circumference
+    left, right = (world.point(at)[0] for at in (held.left, held.right))
+    return left, right + round_ if round_ is not None and right < left else right
 
 
 @dataclass
 class Search:
-    """What a search has found so far; work is counted in bodies and edges looked at, and in rules fired."""
+    """What a search has found so far; work is counted in bodies and edges looked at, and in rules fired.
+
+    Requests after which too much is to be judged are left out.
+    """
 
     profile: Profile
     wrongs: list[Wrong] = field(default_factory=list)
     requests: int = 0
     work: int = 0
+    left_out: int = 0
 
     @property
     def spent(self) -> bool:
@@ -89,10 +93,10 @@ class Search:
     def ask(self, state: State, body: int, distance: Fraction) -> State | None:
         """Make a request; the state after it, or None if nothing moves or if it goes wrong, which is noted."""
         world, direction = state.world, Direction.RIGHT if distance > 0 else Direction.LEFT
-        self.requests += 1
         try:
             deed, record = do(self.profile, world, body, direction, abs(distance), Fraction(0))
         except Endless:
+            self.left_out += 1
             return None
         after: Any = deed.after
         moved = moved_in(world, after)
@@ -100,9 +104,12 @@ class Search:
         for one in moved:
             ranges[one] = range_of(after, one)
         reach = hull([both[one] for both in (state.ranges, ranges) for one in moved])
-        judged = [one for one in after.handles() if one in moved or near(ranges[one], reach, world)]
-        self.work += len(record.fired) + len(ranges) // 8 + len(judged) * (len(judged) + len(world.graph.edges))
-        if not moved:
+        judged: list[int] = [one for one in after.handles() if one in moved or near(ranges[one], reach, world)]
+        to_judge = len(judged) * (len(judged) + len(world.graph.edges))
+        self.work += len(record.fired) + len(ranges) // 2 + min(to_judge, MOST_JUDGED)
+        self.left_out += to_judge > MOST_JUDGED
+        self.requests += to_judge <= MOST_JUDGED
+        if not moved or to_judge > MOST_JUDGED:
             return None
         broken = tuple(broken_by(deed, frozenset(rule for who, rule in record.fired if who == body), judged))
         steps = (*state.steps, (world.bodies[body].name, distance))
@@ -128,16 +135,23 @@ def hull(ranges: Iterable[Range]) -> Range:
     return min((left for left, _ in known), default=zero), max((right for _, right in known), default=zero)
 
 
-def near(one: Range, reach: Range, world: World[Fraction]) -> bool:
-    """Whether a body is nearer to a range than the margin; on a cylinder any may be."""
-    (left, right), (start, end) = one, reach
-    return world.graph.circumference is not None or (left - world.margin < end and start - world.margin < right)
+def near(one: Range, other: Range, world: World[Fraction]) -> bool:
+    """Whether two ranges are nearer to each other than the margin; on a cylinder also the other way round."""
+    (left, right), (start, end), margin = one, other, world.margin
+    return any(left + by - margin < end and start - margin < right + by for by in shifts(world))
+
+
+def shifts(world: World[Fraction]) -> tuple[Fraction, ...]:
+    """By how much the images of a body are shifted: on a cylinder once round to either side."""
+    zero, round_ = Fraction(0), world.graph.circumference
+    return (zero,) if round_ is None else (zero, round_, -round_)
 
 
 def broken_by(deed: Deed[Fraction], fired: frozenset[str], judged: list[int]) -> Iterator[str]:
     """The IDs of what a request breaks: unsupported cases, and what is promised of the plane."""
-    before, after = (Some(world, judged, world.graph) for world in (deed.before, deed.after))  # type: ignore[attr-defined]
-    seen: Deed[Fraction] = replace(deed, before=before, after=after)  # type: ignore[arg-type]
+    worlds: Any = (deed.before, deed.after)
+    before, after = (Some(world, judged, world.graph) for world in worlds)
+    seen: Deed[Fraction] = replace(deed, before=before, after=after)
     yield from (case.id for case in CASES if case.happened(seen, fired))
     yield from (one.id for one in IN_PLANE if not one.holds(seen))
 
@@ -177,9 +191,7 @@ def critical(state: State) -> list[Fraction]:
     places = {vertex.x for vertex in world.graph.vertices}
     for left, right in state.ranges:
         places |= {left, right, left - world.margin, right + world.margin}
-    round_ = world.graph.circumference
-    shifts = [Fraction(0)] if round_ is None else [-round_, Fraction(0), round_]
-    return sorted({place + shift for place in places for shift in shifts})
+    return sorted({place + by for place in places for by in shifts(world)})
 
 
 def distances(own: Range, places: list[Fraction], direction: Direction, many: int) -> list[Fraction]:
