@@ -48,6 +48,7 @@ PAGES = (
         ("condition", "guideline", "unsupported"),
     ),
     Page("differences.md", "Differences", "Why `repaired` ends otherwise than `thesis`.", ("difference",)),
+    Page("features.md", "Features", "What a profile can do without.", ("feature",)),
     Page("models.md", "Models", "What the level, the graph and time are.", ("model",)),
 )
 

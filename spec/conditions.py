@@ -112,6 +112,11 @@ def level_grounds(start: Any) -> Iterator[Place]:
             yield Place(Element.EDGE, index)
 
 
+def nobody_rides(start: Any, asked: Any) -> Truth:
+    """Nobody has a support but the ground."""
+    return all(start.support(body) is None for body in start.handles())
+
+
 def guidelines(start: Any, asked: Any) -> Truth:
     """All five hold."""
     return every(guideline.kept(start) for guideline in ALL_GUIDELINES)
@@ -168,6 +173,12 @@ PLANE_START = Condition(
     "6.2.1, 6.2.2; R24, U9",
     plane_start,
 )
+NOBODY_RIDES = Condition(
+    "condition/nobody-rides",
+    "At the start nobody stands on another.",
+    "8, 8.0.1; E8",
+    nobody_rides,
+)
 GUIDELINES = Condition(
     "condition/guidelines",
     "The level keeps all five guidelines.",
@@ -191,6 +202,7 @@ CONDITIONS: tuple[Condition, ...] = (
     HALVES_LONG,
     ONE_STRING,
     PLANE_START,
+    NOBODY_RIDES,
     GUIDELINES,
     STOREYS_START,
 )

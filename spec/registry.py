@@ -6,6 +6,7 @@ from typing import Protocol
 
 from spec.conditions import CONDITIONS
 from spec.differences import DIFFERENCES
+from spec.features import FEATURES, PLANE_ORDER
 from spec.guidelines import GUIDELINES
 from spec.invariants import OF_ONE_REQUEST, RELATIONS
 from spec.models import MODELS, OF_GRAPHS, OF_STOREYS as MODELS_OF_STOREYS
@@ -63,7 +64,7 @@ def statements() -> dict[str, Statement]:
     rules = {rule.id: rule for profile in PROFILES.values() for rule in rules_of(profile)}.values()
     everything: list[Statement] = [*PROFILES.values(), *rules, *MODELS, *OF_ONE_REQUEST, *RELATIONS, *IN_PLANE]
     everything += [*OF_ONE_STEP, *STEP_RELATIONS, *CONDITIONS, *GUIDELINES, *READINGS, *CASES, *RECORDED]
-    everything += DIFFERENCES
+    everything += [*DIFFERENCES, *FEATURES, PLANE_ORDER]
     table: dict[str, Statement] = {}
     for statement in everything:
         if table.setdefault(statement.id, statement) is not statement:

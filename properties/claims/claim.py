@@ -59,6 +59,8 @@ class Hunt:
         promise: of a deed and the rules that fired for its mover.
         guided: whether the scenes keep the guidelines G1 to G5.
         least_bodies, most_bodies, most_edges: the sizes of the scenes.
+        riders: whether there are scenes in which a body stands on another.
+        points: whether the bodies have no width; then nobody stands on another.
     """
 
     id: str
@@ -67,6 +69,8 @@ class Hunt:
     most_bodies: int
     most_edges: int
     least_bodies: int = 1
+    riders: bool = True
+    points: bool = False
 
 
 Erratum = Callable[[Any, Given, Stage], None]

@@ -94,7 +94,7 @@ def anything(record: LintRecord) -> bool:
 
 def account(linted: Linted, record: LintRecord) -> Iterator[str]:
     """What was found as lines of text."""
-    yield f"{linted.file}: under {record.profile}, {verdict(linted, record)}"
+    yield from text(f"{linted.file}: under {record.profile}, {verdict(linted, record)}", 0)
     told: dict[str, int] = {}
     for number, one in enumerate(record.findings[:MOST_TOLD], start=1):
         yield ""
