@@ -60,6 +60,7 @@ PAGES = (
     Page("errata.md", "Errata", "What is wrong with the rules as printed, and what mends it.", ("erratum",)),
     Page("mends.md", "Mends", "Changes of one decision each of the rules as printed.", ("mend",)),
     Page("alternatives.md", "Alternatives", "What else the thesis could mean.", ("alternative",)),
+    Page("features.md", "Features", "What a profile can do without.", ("feature",)),
     Page("models.md", "Models", "What the level, the graph and time are.", ("model",)),
 )
 

@@ -333,6 +333,14 @@ class OtherGame(Game[Any]):
         seen = self.variant.view(view.world, view.direction)
         return self.variant.alternative.request(rules, seen, body, distance, spare)
 
+    def tick(self, direction: Direction | None) -> list[Fulfilled[Any]]:
+        """One tick with one key held, as the reading has it, or none."""
+        return super().tick(None) if direction is None else self.held(direction)
+
+    def held(self, direction: Direction) -> list[Fulfilled[Any]]:
+        """One tick with one key held."""
+        return super().tick(direction)
+
     def characters(self) -> list[Body[Any]]:
         """The characters in their order."""
         return [body for body in self.level.bodies if body.speed]
@@ -436,10 +444,10 @@ class RequestsPerTick(OtherGame):
     spare = 0
     in_tick = False
 
-    def tick(self, direction: Direction) -> list[Fulfilled[Any]]:
+    def held(self, direction: Direction) -> list[Fulfilled[Any]]:
         """One tick, with one count for all."""
         self.in_tick, self.spare = True, len(self.handles) - 1
-        done = super().tick(direction)
+        done = super().held(direction)
         self.in_tick = False
         return done
 
@@ -475,7 +483,7 @@ class StaysPushedOff(OtherGame):
 class InOwnTurn(StaysPushedOff):
     """It falls in its own turn: a tick asks boxes too, for nothing."""
 
-    def tick(self, direction: Direction) -> list[Fulfilled[Any]]:
+    def held(self, direction: Direction) -> list[Fulfilled[Any]]:
         """One tick, in which every body has a turn."""
         return [self.request(body.name, self.per_tick(body.speed) * direction) for body in self.level.bodies]
 
@@ -483,7 +491,7 @@ class InOwnTurn(StaysPushedOff):
 class Simultaneous(OtherGame):
     """All characters move from one state."""
 
-    def tick(self, direction: Direction) -> list[Fulfilled[Any]]:
+    def held(self, direction: Direction) -> list[Fulfilled[Any]]:
         """One tick: each character moves in a world of its own, and all ends are put together."""
         start, done, ends = self.world.copy(), [], []
         for body in self.characters():
@@ -509,7 +517,7 @@ class PushersSpeed(OtherGame):
         super().__post_init__()
         self.speeds = {body.name: body.speed for body in self.level.bodies}
 
-    def tick(self, direction: Direction) -> list[Fulfilled[Any]]:
+    def held(self, direction: Direction) -> list[Fulfilled[Any]]:
         """One tick: whoever has a velocity has a turn, and gives it to whom it pushes."""
         done = []
         for body in self.level.bodies:
@@ -523,7 +531,7 @@ class PushersSpeed(OtherGame):
 class OncePerTick(OtherGame):
     """Whoever has been moved has had its turn."""
 
-    def tick(self, direction: Direction) -> list[Fulfilled[Any]]:
+    def held(self, direction: Direction) -> list[Fulfilled[Any]]:
         """One tick, without the turns of characters that others have moved in it."""
         start, done = self.world.copy(), []
         for body in self.characters():
@@ -536,7 +544,7 @@ class OncePerTick(OtherGame):
 class MovedCounts(OtherGame):
     """What others moved a character counts as its own."""
 
-    def tick(self, direction: Direction) -> list[Fulfilled[Any]]:
+    def held(self, direction: Direction) -> list[Fulfilled[Any]]:
         """One tick, in which a character is asked for what is left of its distance."""
         start, done = self.world.copy(), []
         for body in self.characters():
@@ -550,7 +558,7 @@ class MovedCounts(OtherGame):
 class InThePlane(OtherGame):
     """A character that rides keeps its speed in the plane."""
 
-    def tick(self, direction: Direction) -> list[Fulfilled[Any]]:
+    def held(self, direction: Direction) -> list[Fulfilled[Any]]:
         """One tick, from the ground up: a rider is asked for what its supports have not moved it."""
         start, done = self.world.copy(), []
         for body in sorted(self.characters(), key=lambda body: len(carriers(start, self.handles[body.name]))):

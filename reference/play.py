@@ -30,6 +30,7 @@ from reference.simulator import Endless, Fulfilled, Game, Happened
 from reference.stepping import StepGame
 from reference.world import LevelError
 from spec.body import Body, Level
+from spec.features import WIDE, Widths
 from spec.number import N
 from spec.profiles import PROFILES, AnyProfile, SteppedProfile
 from spec.transform import body_with_numbers, in_floats
@@ -118,6 +119,11 @@ def profile_of(name: str) -> AnyProfile:
     return PROFILES[name]
 
 
+def widths_of(profile: AnyProfile) -> Widths:
+    """The widths that bodies have under a profile."""
+    return WIDE if isinstance(profile, SteppedProfile) else profile.widths
+
+
 def set_up(scenario: ScenarioRecord, level: LevelRecord, floats: bool) -> AnyGame:
     """The game of a scenario at its start.
 
@@ -125,7 +131,7 @@ def set_up(scenario: ScenarioRecord, level: LevelRecord, floats: bool) -> AnyGam
         LevelError: if the level, the profile or a step's body is not as it must be.
     """
     profile = profile_of(scenario.profile)
-    held = valid_level(level, "$.level")
+    held = valid_level(level, "$.level", widths=widths_of(profile))
     distances = list(distances_of(scenario, held))
     asked = ((place, (distance,)) for place, distance in distances)
     check_sums(chain(numbers_of(held), distances_per_tick(held), asked))

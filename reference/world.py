@@ -15,13 +15,13 @@ from dataclasses import dataclass, field, replace
 from typing import Generic
 
 from spec.body import Body, EdgePosition, Level
+from spec.features import WIDE, Widths
 from spec.graph import Direction, Edge, EdgeType, Graph, Vertex, extent
 from spec.interpolation import linear
 from spec.number import N, zero_like
 from spec.world import Beyond, Jump
 
 MOST_STOREYS = 100
-LEFT_OF_RIGHT = "expected the left border to be left of the right border"
 
 
 class LevelError(ValueError):
@@ -528,7 +528,7 @@ def check_top(level: Level[N], index: int, body: Body[N]) -> None:
     if body.left.edge != body.right.edge:
         raise LevelError(f"$.bodies[{index}].right", "expected both borders on the same top")
     if body.left.location >= body.right.location:
-        raise LevelError(f"$.bodies[{index}]", LEFT_OF_RIGHT)
+        raise LevelError(f"$.bodies[{index}]", WIDE.expected)
 
 
 def check_edge(level: Level[N], index: int, side: str, at: EdgePosition[N]) -> None:
@@ -598,15 +598,17 @@ def laid_out(level: Level[N]) -> World[N]:
     return world
 
 
-def check_widths(world: World[N]) -> None:
-    """Refuse a body whose left border is not left of its right border."""
+def check_widths(world: World[N], widths: Widths = WIDE) -> None:
+    """Refuse a body of another width than bodies may have: any, if its left border is left of its right border."""
     for body in world.handles():
-        if world.width(body) <= zero_like(world.margin):
-            raise LevelError(f"$.bodies[{body}]", LEFT_OF_RIGHT)
+        if not widths.has(world.width(body)):
+            raise LevelError(f"$.bodies[{body}]", widths.expected)
 
 
-def world_of(level: Level[N], tolerance: N | None = None) -> World[N]:
-    """The world of a level at its start; `tolerance` is how far its numbers may be off, if they may.
+def world_of(level: Level[N], tolerance: N | None = None, widths: Widths = WIDE) -> World[N]:
+    """The world of a level at its start, whose bodies have such widths.
+
+    `tolerance` is how far its numbers may be off, if they may.
 
     Raises:
         LevelError: if its bodies do not lie on its strings of edges, margin by margin.
@@ -616,7 +618,7 @@ def world_of(level: Level[N], tolerance: N | None = None) -> World[N]:
     for body in world.handles():
         check_overhang(world, body, least)
     check_buttons(world)
-    check_widths(world)
+    check_widths(world, widths)
     for row in world.rows:
         if row.closed and row.free is not None and row.free < least:
             raise LevelError("$.bodies", f"the bodies are wider than the ring by {row.free * -1}")

@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from itertools import combinations
 from typing import Any
 
+from spec.demand import Demand, Element, Place, all_met
 from spec.graph import Direction, EdgeType
 from spec.guidelines import GUIDELINES as ALL_GUIDELINES
 from spec.invariants import every
 from spec.number import N, Truth, zero_like
-from spec.plane import apart, outside_terrain
+from spec.plane import boxes, images, terrain
 from spec.stepped import all_held, margins_kept as storeys_apart, outside_terrain as outside_solids
 from spec.world import State
 
@@ -39,7 +41,15 @@ def margins_kept(start: State[N], asked: N) -> Truth:
 
 def edges_long(start: State[N], asked: N) -> Truth:
     """No edge is shorter than the margin."""
-    return every(length >= start.margin for length in start.edge_lengths())
+    return all_met(lengths_demanded(start))
+
+
+def lengths_demanded(start: State[N]) -> Iterator[Demand]:
+    """Every ground edge is at least as long as the margin."""
+    for index, length in enumerate(start.edge_lengths()):
+        numbers = (length, start.margin)
+        seen, mend = "is {0} long, shorter than the margin, {1}", "make it at least {1} long"
+        yield Demand(Place(Element.GROUND, index), length >= start.margin, seen, mend, numbers)
 
 
 def fits_into_the_ring(start: State[N], asked: N) -> Truth:
@@ -77,7 +87,34 @@ def one_string(start: Any, asked: Any) -> Truth:
 
 def plane_start(start: Any, asked: Any) -> Truth:
     """Margins and terrain are kept."""
-    return every([margins_kept(start, asked), apart(start, start.margin), outside_terrain(start, start.margin * 0)])
+    return every([margins_kept(start, asked), all_met(clearances_demanded(start))])
+
+
+def clearances_demanded(start: Any) -> Iterator[Demand]:
+    """In the plane, bodies beside each other are the margin apart, and no body is in terrain."""
+    zero, held = zero_like(start.margin), boxes(start)
+    for (one, mine), (other, theirs) in combinations(held.items(), 2):
+        met = every(mine.clear_of(image, start.margin) for image in images(start, theirs))
+        seen, mend = "is nearer to {others} than the margin, {0}", "put them at least {0} apart"
+        yield Demand(Place(Element.BODY, other), met, seen, mend, (start.margin,), (Place(Element.BODY, one),))
+    solids = list(zip(level_grounds(start), terrain(start), strict=True))
+    for body, mine in held.items():
+        for place, solid in solids:
+            met = every(mine.clear_of(image, zero) for image in images(start, solid))
+            seen, mend = "is in the terrain under {others}", "put it beside that, or above"
+            yield Demand(Place(Element.BODY, body), met, seen, mend, (), (place,))
+
+
+def level_grounds(start: Any) -> Iterator[Place]:
+    """The level ground edges, under which terrain is solid."""
+    for index, edge in enumerate(start.graph.edges):
+        if edge.type is EdgeType.GROUND and edge.rise == 0:
+            yield Place(Element.EDGE, index)
+
+
+def nobody_rides(start: Any, asked: Any) -> Truth:
+    """Nobody has a support but the ground."""
+    return all(start.support(body) is None for body in start.handles())
 
 
 def guidelines(start: Any, asked: Any) -> Truth:
@@ -88,11 +125,6 @@ def guidelines(start: Any, asked: Any) -> Truth:
 def short_requests(start: Any, asked: Any) -> Truth:
     """The distance is at most every width and the margin."""
     return every(asked <= start.width(body) + start.margin for body in start.handles())
-
-
-def nobody_rides(start: Any, asked: Any) -> Truth:
-    """No body has another as its support."""
-    return all(start.support(body) is None for body in start.handles())
 
 
 def alone(start: Any, asked: Any) -> Truth:
@@ -183,6 +215,12 @@ PLANE_START = Condition(
     "6.2.1, 6.2.2; R24, U9",
     plane_start,
 )
+NOBODY_RIDES = Condition(
+    "condition/nobody-rides",
+    "At the start nobody stands on another.",
+    "4.4, 8.0.1; A27, A28, E8",
+    nobody_rides,
+)
 GUIDELINES = Condition(
     "condition/guidelines",
     "The level keeps all five guidelines.",
@@ -202,9 +240,6 @@ SHORT_REQUESTS = Condition(
     "The distance asked is at most any body's width and the margin, so that of a row one leaves a ledge at a time.",
     "6.2.1; A4, A48, A55",
     short_requests,
-)
-NOBODY_RIDES = Condition(
-    "condition/nobody-rides", "At the start nobody stands on a body.", "4.4; A27, A28", nobody_rides
 )
 ALONE = Condition("condition/alone", "There is one body.", "8; O13", alone)
 TWO_AT_MOST = Condition("condition/two-at-most", "There are at most two bodies.", "8", two_at_most)
@@ -231,10 +266,10 @@ CONDITIONS: tuple[Condition, ...] = (
     HALVES_LONG,
     ONE_STRING,
     PLANE_START,
+    NOBODY_RIDES,
     GUIDELINES,
     STOREYS_START,
     SHORT_REQUESTS,
-    NOBODY_RIDES,
     ALONE,
     TWO_AT_MOST,
     ROOMY_GROUNDS,

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from itertools import combinations
 
+from spec.features import FALLS, FEATURES, WIDE, Feature, Widths
 from spec.readings import LANDING, LANDING_OVERSHOOT, PUSH_LIMIT, TICK_ORDER
 from spec.rules.clearance import CLEARANCE
 from spec.rules.event import CONTACT as CONTACT_EVENT, LOSS, WALL
@@ -61,7 +63,10 @@ MENDED = VelocityRules(
 
 @dataclass(frozen=True)
 class Profile:
-    """The rules of movement under one set of readings. A request moves one body, and what it pushes."""
+    """The rules of movement under one set of readings. A request moves one body, and what it pushes.
+
+    `without` are the features that it does not have, and `widths` those that bodies may have.
+    """
 
     name: str
     sentence: str
@@ -70,6 +75,8 @@ class Profile:
     push_limit: Callable[[int], int]
     tick_order: Callable[[Sequence[str]], Sequence[str]]
     velocity: VelocityRules
+    without: tuple[Feature, ...] = ()
+    widths: Widths = WIDE
 
     kind = "profile"
 
@@ -119,6 +126,31 @@ MENDED_VELOCITY = replace(
 )
 
 
+def without(profile: Profile, *features: Feature) -> Profile:
+    """A profile that does without some features, in the order of `FEATURES` (8.0.1; E8)."""
+    rules, widths = profile.rules, profile.widths
+    for feature in features:
+        rules, widths = feature.off(rules), feature.widths or widths
+    return replace(
+        profile,
+        name="/".join([profile.name, *(f"no-{feature.name}" for feature in features)]),
+        sentence=f"The profile {profile.name} without {' and '.join(feature.name for feature in features)}.",
+        source="8.0.1; E8, E15, O13",
+        rules=rules,
+        widths=widths,
+        without=features,
+    )
+
+
+WITHOUT_ONE_OR_TWO: tuple[Profile, ...] = tuple(
+    without(THESIS, *features) for many in (1, 2) for features in combinations(FEATURES, many)
+)
+OVERSHOOT_WITHOUT: tuple[Profile, ...] = tuple(
+    without(OVERSHOOT, *one.without) for one in WITHOUT_ONE_OR_TWO if FALLS not in one.without
+)
+"""Without falls there is no landing."""
+
+
 @dataclass(frozen=True)
 class SteppedProfile:
     """Rules of movement in which all bodies move at once, from event to event."""
@@ -159,4 +191,5 @@ REPAIRED = SteppedProfile(
 AnyProfile = Profile | SteppedProfile
 
 OF_REQUESTS: dict[str, Profile] = {profile.name: profile for profile in (THESIS, OVERSHOOT, MENDED_VELOCITY)}
-PROFILES: dict[str, AnyProfile] = {**OF_REQUESTS, REPAIRED.name: REPAIRED}
+WITHOUT: dict[str, Profile] = {profile.name: profile for profile in (*WITHOUT_ONE_OR_TWO, *OVERSHOOT_WITHOUT)}
+PROFILES: dict[str, AnyProfile] = {**OF_REQUESTS, REPAIRED.name: REPAIRED, **WITHOUT}

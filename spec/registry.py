@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from itertools import chain
 from typing import Protocol
 
 from spec.alternatives import ALTERNATIVES
@@ -13,6 +14,7 @@ from spec.discrete import DISCRETE, DISCRETE_INVARIANTS, DISCRETE_RULES
 from spec.display import DISPLAY_RULES, OF_DISPLAY
 from spec.errata import ERRATA
 from spec.evaluated import EVALUATED
+from spec.features import FEATURES, PLANE_ORDER
 from spec.guidelines import GUIDELINES
 from spec.invariants import OF_ONE_REQUEST, RELATIONS
 from spec.mends import MENDS
@@ -80,35 +82,37 @@ def statements() -> dict[str, Statement]:
     """
     of_profiles = [rule for one in PROFILES.values() for rule in (*rules_of(one), *velocity_rules_of(one))]
     rules = {rule.id: rule for rule in of_profiles}.values()
-    everything: list[Statement] = [
-        *PROFILES.values(),
-        *rules,
-        *MODELS,
-        *OF_ONE_REQUEST,
-        *RELATIONS,
-        *IN_PLANE,
-        *OF_ONE_STEP,
-        *STEP_RELATIONS,
-        *CONDITIONS,
-        *GUIDELINES,
-        *READINGS,
-        *CASES,
-        *OF_LEVELS,
-        *OF_CHANGES,
-        *DISPLAY_RULES,
-        *OF_DISPLAY,
-        *DESIGNS,
-        DISCRETE,
-        *DISCRETE_RULES,
-        *DISCRETE_INVARIANTS,
-        *DIFFERENCES,
-        *ERRATA,
-        *MENDS,
-        *ALTERNATIVES,
-        *EVALUATED,
-    ]
+    chapters: tuple[Iterable[Statement], ...] = (
+        PROFILES.values(),
+        rules,
+        MODELS,
+        OF_ONE_REQUEST,
+        RELATIONS,
+        IN_PLANE,
+        OF_ONE_STEP,
+        STEP_RELATIONS,
+        CONDITIONS,
+        GUIDELINES,
+        READINGS,
+        CASES,
+        OF_LEVELS,
+        OF_CHANGES,
+        DISPLAY_RULES,
+        OF_DISPLAY,
+        DESIGNS,
+        (DISCRETE,),
+        DISCRETE_RULES,
+        DISCRETE_INVARIANTS,
+        DIFFERENCES,
+        ERRATA,
+        MENDS,
+        ALTERNATIVES,
+        FEATURES,
+        PLANE_ORDER,
+        EVALUATED,
+    )
     table: dict[str, Statement] = {}
-    for statement in everything:
+    for statement in chain.from_iterable(chapters):
         if table.setdefault(statement.id, statement) is not statement:
             raise ValueError(f"two statements have the ID {statement.id}")
     return table

@@ -26,7 +26,7 @@ from spec.case import (
 )
 from spec.complications import FOUND
 from spec.graph import EdgeType, Graph
-from spec.guidelines import one_layer
+from spec.guidelines import SINGLE_LAYER
 from spec.invariants import Deed
 from spec.number import Truth
 from spec.plane import box, images, negated
@@ -176,7 +176,7 @@ class LevelCase:
 def not_by_the_creator(world: Any) -> Truth:
     """The creator from a list of vertices does not make this graph: by steepness, and solid all the way down (R30)."""
     as_made = [edge.thickness is None and is_ground(edge) == by_steepness(edge) for edge in world.graph.edges]
-    return negated(one_layer(world)) if all(as_made) else True
+    return negated(SINGLE_LAYER.kept(world)) if all(as_made) else True
 
 
 def is_ground(edge: Any) -> bool:

@@ -2,7 +2,18 @@
 
 from __future__ import annotations
 
-from properties.claims import comparison, designs, display, enough, landings, ledges, repaired, string, velocity
+from properties.claims import (
+    comparison,
+    designs,
+    display,
+    enough,
+    features,
+    landings,
+    ledges,
+    repaired,
+    string,
+    velocity,
+)
 from properties.claims.claim import Claim
 
 CLAIMS: tuple[Claim, ...] = (
@@ -13,6 +24,7 @@ CLAIMS: tuple[Claim, ...] = (
     *velocity.CLAIMS,
     *display.CLAIMS,
     *designs.CLAIMS,
+    *features.CLAIMS,
     *enough.CLAIMS,
     *landings.CLAIMS,
 )

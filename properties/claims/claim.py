@@ -65,6 +65,8 @@ class Hunt:
         guided: whether the scenes keep the guidelines G1 to G5.
         least_bodies, most_bodies, most_edges: the sizes of the scenes.
         premises: the conditions that hold at the start besides.
+        riders: whether there are scenes in which a body stands on another.
+        points: whether the bodies have no width; then nobody stands on another.
     """
 
     id: str
@@ -74,6 +76,8 @@ class Hunt:
     most_edges: int
     least_bodies: int = 1
     premises: tuple[Condition, ...] = ()
+    riders: bool = True
+    points: bool = False
 
 
 Erratum = Callable[[Any, Given, Stage], None]

@@ -124,12 +124,13 @@ def refute(claim_id: str) -> Showing:
 def chase(claim_id: str, seed: int) -> Showing:
     """Hunt for a witness against the promise of a claim; the seed orders shapes of the same size."""
     from properties.evidence.hunt import go
-    from spec.profiles import OF_REQUESTS
+    from spec.profiles import Profile
 
     claim = by_id(claim_id)
     assert claim.hunt is not None
+    assert isinstance(claim.profile, Profile)
     started = time.perf_counter()
-    quarry = go(claim.hunt, OF_REQUESTS[claim.profile.name], seed)
+    quarry = go(claim.hunt, claim.profile, seed)
     seconds = time.perf_counter() - started
     if quarry.shape is None:
         return Showing("z3", seconds, quarry.paths, open=tuple(quarry.open))

@@ -59,6 +59,11 @@ class Shape:
             sum(s.top is not None for s in self.stands),
         )
 
+    @property
+    def has_riders(self) -> bool:
+        """Whether a body stands on another."""
+        return any(stand.top is not None for stand in self.stands)
+
 
 def fall_edge(upper: int, lower: int, falls_right: bool, height: Fraction) -> Edge[Any]:
     """A vertical fall edge between two vertices."""

@@ -15,6 +15,7 @@ from reference.formats.numbers import Number, check_sums, exact, number_text
 from reference.rounding import Precision, tolerance
 from reference.world import LevelError, world_of
 from spec.body import Body, EdgePosition, Level
+from spec.features import WIDE, Widths
 from spec.graph import Edge, EdgeType, ExplicitEdge, Graph, IrrationalLength, NoLength, Vertex, explicit, polyline
 from spec.rules.velocity import Material, Motion
 
@@ -194,15 +195,17 @@ def level_of(record: LevelRecord) -> Level[Fraction]:
     return level
 
 
-def valid_level(record: LevelRecord, place: str, numbers: Precision = "exact") -> Level[Fraction]:
-    """The level of a record that is at `place` in a document, if a world can hold it, in such numbers.
+def valid_level(
+    record: LevelRecord, place: str, numbers: Precision = "exact", widths: Widths = WIDE
+) -> Level[Fraction]:
+    """The level of a record that is at `place` in a document, if a world can hold it, in such numbers and widths.
 
     Raises:
         LevelError: if not.
     """
     try:
         level = level_of(record)
-        world_of(level, tolerance(numbers, level))
+        world_of(level, tolerance(numbers, level), widths)
     except LevelError as error:
         raise error.under(place) from None
     return level
