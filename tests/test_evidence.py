@@ -38,6 +38,8 @@ FLOORS_OF_VERDICTS = {
         one-velocity-rule-applies one-velocity-rule-applies/repaired speed-is-bounded speed-is-bounded/repaired
         friction-turns-nothing friction-turns-nothing/repaired resistance-only-resists resistance-only-resists/repaired
         rest-is-kept-by-friction rest-is-kept-by-friction/repaired velocities-ask-for-their-way
+        coefficient-of-friction coefficient-of-friction/repaired minimum-stops minimum-stops/repaired
+        velocity-after-a-move velocity-after-a-move/repaired
         step-margin step-terrain step-support step-seat step-order step-motion step-not-raised step-bystanders
         step-progress step-squeezed step-one-key
         one-display-rule-applies falls-are-smooth falls-arrive shown-upon-support turns-are-smooth

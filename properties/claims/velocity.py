@@ -50,6 +50,19 @@ def proved(name: str, about: str, sentence: str, source: str, *programs: Program
     )
 
 
+def both_proved(
+    name: str, source: str, printed: tuple[str, str], as_printed: Program, mended: tuple[str, str], as_mended: Program
+) -> tuple[Claim, Claim]:
+    """A claim about any body in any tick, as printed and mended; of each what it is about, and its sentence."""
+
+    def claim(suffix: str, profile: AnyProfile, said: tuple[str, str], program: Program) -> Claim:
+        about, sentence = said
+        own = (of_velocity(program),)
+        return Claim(f"claim/{name}{suffix}", "velocity", sentence, source, about, profile, (), PROVED, own)
+
+    return claim("", THESIS, printed, as_printed), claim("/repaired", REPAIRED, mended, as_mended)
+
+
 def judged(
     name: str,
     about: str,
@@ -117,29 +130,56 @@ CLAIMS: tuple[Claim, ...] = (
         "6.3.1, F6.7; R27, R28, A36",
         velocities.resistance_only_resists,
     ),
-    Claim(
-        "claim/rest-is-kept-by-friction",
-        "velocity",
-        "Without a minimum, a body at rest stays at rest exactly where friction can take all that gravity and forces "
-        "add in a tick.",
-        "F6.7; R28, P2",
-        "velocity/friction-holds",
-        THESIS,
-        (),
-        PROVED,
-        (of_velocity(velocities.rest_is_kept_by_friction),),
-    ),
-    Claim(
-        "claim/rest-is-kept-by-friction/repaired",
-        "velocity",
-        "A body at rest stays at rest exactly where friction can take all that gravity and forces add in a tick, "
-        "whatever the minimum.",
+    *both_proved(
+        "rest-is-kept-by-friction",
         "F6.7; R27, R28, A35, P2",
-        "velocity/friction-holds",
-        REPAIRED,
-        (),
-        PROVED,
-        (of_velocity(velocities.rest_is_kept_whatever_the_minimum),),
+        (
+            "velocity/friction-holds",
+            "Without a minimum, a body at rest stays at rest exactly where friction can take all that gravity and "
+            "forces add in a tick.",
+        ),
+        velocities.rest_is_kept_by_friction,
+        (
+            "velocity/friction-holds",
+            "A body at rest stays at rest exactly where friction can take all that gravity and forces add in a tick, "
+            "whatever the minimum.",
+        ),
+        velocities.rest_is_kept_whatever_the_minimum,
+    ),
+    *both_proved(
+        "coefficient-of-friction",
+        "F6.7, 6.3.4; R28, O9",
+        ("velocity/own-friction", "The coefficient of friction is that of the body, whatever ground it is on."),
+        velocities.friction_is_of_the_body,
+        (
+            "velocity/friction-mixed",
+            "The coefficient of friction is in the middle between that of the body and that of the ground, if it has "
+            "one.",
+        ),
+        velocities.friction_is_mixed,
+    ),
+    *both_proved(
+        "minimum-stops",
+        "6.3.1; R27, A35",
+        ("velocity/minimum-printed", "After a tick no dynamic body is slower than its minimum and not at rest."),
+        velocities.minimum_stops_all,
+        (
+            "velocity/minimum",
+            "After a tick no dynamic body is slower than its minimum and not at rest, unless it has become faster.",
+        ),
+        velocities.minimum_stops_the_slowing,
+    ),
+    *both_proved(
+        "velocity-after-a-move",
+        "6.2.1c, 6.3.4; A2, A38, O8",
+        ("velocity/kept", "The velocity after a move is that before it, whatever the body met."),
+        velocities.velocities_are_kept,
+        (
+            "velocity/hindered",
+            "The velocity after a move is that before it if the body is static or moved all the way, else that in the "
+            "end.",
+        ),
+        velocities.hindered_velocities_are_lost,
     ),
     *judged(
         "rest-up-to-the-coefficient",

@@ -101,12 +101,12 @@ def no_higher_through_a_valley(profile: Profile, given: Given, stage: Stage) -> 
     motion = Motion(ZERO, any_material(friction=ZERO), GRAVITY, ZERO)
     body = Body("A", EdgePosition(0, start), EdgePosition(0, start + 1), ZERO, ONE, motion=motion)
     level = Level(graph, ONE / 4, ONE / 2, (body,))
-    game, world = Game(profile, level), stage.set(level)
+    game, length = Game(profile, level), stage.set(level).rows[0].length
     for _ in range(TICKS_THROUGH):
         game.tick(Direction.RIGHT)
         stage.steps.append(None)
-    left = game.world.to_wall(0, Direction.RIGHT)
-    given.ensure("it comes no higher", left >= world.to_wall(0, Direction.LEFT))
+    to_the_top = length - game.world.coordinate(game.world.bodies[0].right)
+    given.ensure("it comes no higher", to_the_top >= start)
 
 
 @dataclass(frozen=True)

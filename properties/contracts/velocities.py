@@ -31,6 +31,7 @@ from spec.rules.velocity import (
     VelocityRules,
     Weight,
     magnitude,
+    meet,
     signed,
     simulate_tick,
 )
@@ -164,6 +165,23 @@ def friction_turns_nothing(rules: VelocityRules, given: Given) -> None:
     given.ensure("it takes what it can", (taken == grip.loss) | ((left == 0) & (taken <= grip.loss)))
 
 
+def friction_is_mixed(rules: VelocityRules, given: Given) -> None:
+    """The coefficient is that of the body on ground without one, else as far from one as from the other."""
+    body, ground = given.number("of the body"), given.number("of the ground")
+    family = Seen(rules.coefficient, given)
+    alone, both = (family.choose(touch).effect(touch) for touch in (Touch(body, None), Touch(body, ground)))
+    given.ensure("that of the body alone", alone == body)
+    given.ensure("in the middle of both", both - body == ground - both)
+
+
+def friction_is_of_the_body(rules: VelocityRules, given: Given) -> None:
+    """The coefficient is that of the body, whatever the ground."""
+    body, ground = given.number("of the body"), given.number("of the ground")
+    family = Seen(rules.coefficient, given)
+    for touch in (Touch(body, None), Touch(body, ground)):
+        given.ensure("that of the body", family.choose(touch).effect(touch) == body)
+
+
 def resistance_only_resists(rules: VelocityRules, given: Given) -> None:
     """What a tick does after gravity and forces only takes of the velocity, and never turns it round."""
     fastest = given.number("maximum") if given.flag("there is a maximum") else None
@@ -190,6 +208,46 @@ def rest_is_kept(rules: VelocityRules, given: Given, minimum: Any) -> None:
     after = simulate_tick(with_any_drag(rules, given), motion, LEVEL, ONE)
     held = magnitude(motion.force) <= motion.gravity
     given.ensure("rest where friction holds, and only there", bool(after.velocity == 0) == bool(held))
+
+
+def minimum_stops_all(rules: VelocityRules, given: Given) -> None:
+    """After a tick a body stands, or is as fast as the minimum."""
+    _, after, minimum = tick_with_minimum(rules, given)
+    given.ensure("it stands, or is fast enough", (after == 0) | (magnitude(after) >= minimum))
+
+
+def minimum_stops_the_slowing(rules: VelocityRules, given: Given) -> None:
+    """After a tick a body stands, is as fast as the minimum, or is faster than before."""
+    before, after, minimum = tick_with_minimum(rules, given)
+    slow = (after == 0) | (magnitude(after) >= minimum)
+    given.ensure("it stands, is fast enough, or speeds up", slow | (magnitude(after) > magnitude(before)))
+
+
+def tick_with_minimum(rules: VelocityRules, given: Given) -> tuple[Any, Any, Any]:
+    """A velocity before and after a tick, and the minimum."""
+    before, minimum = any_velocity(given, "velocity"), given.number("minimum")
+    motion = any_pull(given, before, slowest=minimum)
+    return before, simulate_tick(with_any_drag(rules, given), motion, LEVEL, ONE).velocity, minimum
+
+
+def any_move(rules: VelocityRules, given: Given) -> tuple[Any, Any, Any, bool]:
+    """A velocity before and after a move, that in the end of it, and whether the body is static or moved freely."""
+    dynamic, free = given.flag("the body is dynamic"), given.flag("it moved all the way")
+    before, actual = any_velocity(given, "velocity"), any_velocity(given, "actual velocity")
+    motion = Motion(before, any_material() if dynamic else None, ZERO, ZERO)
+    return before, meet(seen_in(rules, given), motion, free, actual).velocity, actual, free or not dynamic
+
+
+def velocities_are_kept(rules: VelocityRules, given: Given) -> None:
+    """No move changes a velocity."""
+    before, after, _, _ = any_move(rules, given)
+    given.ensure("the velocity is kept", after == before)
+
+
+def hindered_velocities_are_lost(rules: VelocityRules, given: Given) -> None:
+    """A dynamic body that has not moved all the way has the velocity in the end, and any other its own."""
+    before, after, actual, keeps = any_move(rules, given)
+    given.ensure("the velocity is kept, or that in the end", after == (before if keeps else actual))
 
 
 def any_slope(given: Given) -> Slope[Any]:
