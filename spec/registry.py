@@ -108,7 +108,7 @@ def statements() -> dict[str, Statement]:
         MENDS,
         ALTERNATIVES,
         FEATURES,
-        PLANE_ORDER,
+        (PLANE_ORDER,),
         EVALUATED,
     )
     table: dict[str, Statement] = {}
