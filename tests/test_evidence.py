@@ -35,7 +35,7 @@ FLOORS_OF_VERDICTS = {
         one-step-rule-applies contacts-do-not-close squeezed-bodies-stand speeds-are-wished
         step-margin step-terrain step-support step-seat step-order step-motion step-not-raised step-bystanders
         step-progress step-squeezed step-one-key
-        one-display-rule-applies falls-are-smooth falls-arrive shown-upon-support turns-are-smooth
+        one-display-rule-applies falls-are-smooth falls-arrive shown-upon-support turns-are-smooth centres-are-lawful
     """,
     BOUNDED: """
         whole-rows terrain plane-apart-of-two horizontal-alone supports-end never-raised height-kept
