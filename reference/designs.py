@@ -159,7 +159,7 @@ class Crossing(Generic[N]):
         self.crowd.cost.collided += 1
         plain = self.crowd.world.facing(self.direction)
         led_by_centre = self.crowd.design.leader(self.direction) is Part.CENTRE
-        return Leading(self, plain, body, self.crowd.halves[body] if led_by_centre else None)
+        return Leading(self, plain, self.crowd.halves[body] if led_by_centre else None)
 
     def freely(self, at: EdgePosition[N], distance: N, towards: Direction) -> EdgePosition[N]:
         """Where an uncollided move ends."""
@@ -185,7 +185,6 @@ class Leading(Generic[N]):
 
     crossing: Crossing[N]
     plain: Facing[N]
-    body: int
     half: N | None
 
     @property

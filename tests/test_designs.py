@@ -88,7 +88,7 @@ def test_a_centre_that_stops_for_walls_and_others_as_a_point_is_caught(monkeypat
 
 def leading_as_a_border(crossing, body):
     """The view of a border that leads, whatever leads."""
-    return Leading(crossing, crossing.crowd.world.facing(crossing.direction), body, None)
+    return Leading(crossing, crossing.crowd.world.facing(crossing.direction), None)
 
 
 @pytest.mark.parametrize(
