@@ -6,7 +6,7 @@ A crowd knows the strings and the order of bodies from a world, and where bodies
 from __future__ import annotations
 
 from collections.abc import Callable, Generator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import Any, Generic
 
@@ -41,24 +41,24 @@ class Cost:
         return " + ".join(name if count == 1 else f"{count} {name}" for name, count in terms if count) or "0"
 
 
+@dataclass
 class Crowd(Generic[N]):
     """The bodies of a level, held by a design.
 
-    `neighbour` finds the one ahead of a body; by default the order does, which no motion changes.
+    Attributes:
+        world: the strings, and the order of bodies on them, which no motion changes.
+        halves: half the width of each body; `places` is what the design stores of it.
+        neighbour: who finds the one ahead of a body.
+        cost: what has been done since it was set anew.
     """
 
-    def __init__(self, design: Design, profile: Profile, world: World[N], neighbour: Neighbour | None = None) -> None:
-        """Store of each body what the design stores."""
-        self.design, self.profile, self.world = design, profile, world
-        self.neighbour = neighbour or by_order
-        self.halves = [world.width(body) / like(2, world.margin) for body in world.handles()]
-        self.places: list[dict[Part, EdgePosition[N]]] = []
-        self.cost = Cost()
-        for body, held in enumerate(world.bodies):
-            centre = self.facing(Direction.RIGHT).freely(held.left, self.halves[body], Direction.RIGHT)
-            every = {Part.LEFT: held.left, Part.CENTRE: centre, Part.RIGHT: held.right}
-            self.places.append({part: every[part] for part in design.stored})
-        self.cost = Cost()
+    design: Design
+    profile: Profile
+    world: World[N]
+    halves: list[N]
+    places: list[dict[Part, EdgePosition[N]]]
+    neighbour: Neighbour
+    cost: Cost = field(default_factory=Cost)
 
     def facing(self, direction: Direction) -> Crossing[N]:
         """This crowd as a motion in one direction sees it."""
@@ -92,6 +92,18 @@ class Crowd(Generic[N]):
         """Whether a body has left its edge: all positions that it stands on are beyond the end."""
         view, parts = self.world.facing(direction), self.design.stands_on(direction)
         return all(view.reach(self.places[body][part]) < zero_like(self.world.margin) for part in parts)
+
+
+def crowd_of(design: Design, profile: Profile, world: World[N], neighbour: Neighbour | None = None) -> Crowd[N]:
+    """The bodies of a world, held by a design; who is ahead is known by the order, if not said otherwise."""
+    halves: list[N] = [world.width(body) / like(2, world.margin) for body in world.handles()]
+    crowd = Crowd(design, profile, world, halves, [], neighbour or by_order)
+    for body, held in enumerate(world.bodies):
+        centre = crowd.facing(Direction.RIGHT).freely(held.left, halves[body], Direction.RIGHT)
+        every = {Part.LEFT: held.left, Part.CENTRE: centre, Part.RIGHT: held.right}
+        crowd.places.append({part: every[part] for part in design.stored})
+    crowd.cost = Cost()
+    return crowd
 
 
 def like(number: int, other: N) -> Any:
@@ -147,7 +159,7 @@ class Crossing(Generic[N]):
         self.crowd.cost.collided += 1
         plain = self.crowd.world.facing(self.direction)
         led_by_centre = self.crowd.design.leader(self.direction) is Part.CENTRE
-        return Leading(self, plain, body, self.crowd.halves[body] if led_by_centre else None)
+        return Leading(self, plain, self.crowd.halves[body] if led_by_centre else None)
 
     def freely(self, at: EdgePosition[N], distance: N, towards: Direction) -> EdgePosition[N]:
         """Where an uncollided move ends."""
@@ -173,7 +185,6 @@ class Leading(Generic[N]):
 
     crossing: Crossing[N]
     plain: Facing[N]
-    body: int
     half: N | None
 
     @property

@@ -13,7 +13,7 @@ from properties.designs_page import with_costs
 from properties.engine.explore import explore
 from properties.given import Exact
 from properties.strategies.rows import trials
-from reference.designs import Crossing, Crowd, Leading, by_centre, by_order
+from reference.designs import Crossing, Leading, by_centre, by_order, crowd_of
 from reference.play import LIBRARY, play
 from reference.simulator import move
 from reference.world import world_of
@@ -42,7 +42,7 @@ def test_all_designs_end_with_all_borders_at_the_same_place(trial):
     plain, body = start.copy(), start.rows[0].order[trial.body]
     move(THESIS, plain, body, trial.direction, trial.asked)
     for design in DESIGNS:
-        crowd = Crowd(design, THESIS, start)
+        crowd = crowd_of(design, THESIS, start)
         crowd.move(body, trial.direction, trial.asked)
         for other in start.handles():
             for side in Direction:
@@ -54,7 +54,7 @@ def test_all_designs_end_with_all_borders_at_the_same_place(trial):
 def test_each_design_plays_the_figures_on_one_string(design):
     for name in ("walls", "valley", "pushing-boxes-5", "ring-of-two", "row-at-vertices"):
         playing = play(LIBRARY / "scenarios" / f"{name}.json")
-        crowd = Crowd(design, THESIS, playing.game.world.copy())
+        crowd = crowd_of(design, THESIS, playing.game.world.copy())
         for step in playing.steps:
             for done in step.moves:
                 direction = Direction.LEFT if done.asked < 0 else RIGHT
@@ -88,7 +88,27 @@ def test_a_centre_that_stops_for_walls_and_others_as_a_point_is_caught(monkeypat
 
 def leading_as_a_border(crossing, body):
     """The view of a border that leads, whatever leads."""
-    return Leading(crossing, crossing.crowd.world.facing(crossing.direction), body, None)
+    return Leading(crossing, crossing.crowd.world.facing(crossing.direction), None)
+
+
+@pytest.mark.parametrize(
+    ("method", "wrong", "broken"),
+    [
+        ("reach", lambda view, at: view.plain.reach(at), "where no edge follows, the wall is as far as it reaches"),
+        ("to_wall", lambda view, at: None, "the wall is that of the border"),
+        ("end", lambda view, at: view.plain.end(at), "the end of the edge is reached"),
+        ("beyond", lambda view, at: view.plain.beyond(at), "on this edge and the next a body is seen"),
+        ("ahead", lambda view, body, at: None, "on the last edge a body ahead is seen"),
+        ("gap", lambda view, at, other: view.plain.gap(at, other), "the gap is that of the borders"),
+    ],
+)
+def test_what_a_centre_sees_wrongly_breaks_a_law(monkeypatch, method, wrong, broken):
+    monkeypatch.setattr(Leading, method, wrong)
+    found = [
+        explore(lambda given, last=last: designs.centres_are_lawful(THESIS, given, RIGHT, False, last)).counterexample
+        for last in (False, True)
+    ]
+    assert broken in {name for one in found if one is not None for name in one.broken}
 
 
 def test_a_centre_that_is_stored_with_borders_and_leads_is_1ep_cached():

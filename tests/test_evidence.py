@@ -42,7 +42,7 @@ FLOORS_OF_VERDICTS = {
         velocity-after-a-move velocity-after-a-move/repaired
         step-margin step-terrain step-support step-seat step-order step-motion step-not-raised step-bystanders
         step-progress step-squeezed step-one-key
-        one-display-rule-applies falls-are-smooth falls-arrive shown-upon-support turns-are-smooth
+        one-display-rule-applies falls-are-smooth falls-arrive shown-upon-support turns-are-smooth centres-are-lawful
     """,
     BOUNDED: """
         proxy-on-level-ground whole-rows terrain plane-apart-of-two horizontal-alone

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from properties.claims.claim import Claim, Count, Erratum, Obligation, Verdict
-from properties.claims.string import KEPT, LONG, STRING, name_of, of_rows
+from properties.claims.string import KEPT, LONG, ORDERED, STRING, name_of, of_rows, of_strings
 from properties.contracts import designs, discrete
 from spec.designs import DESIGNS, ONE, THREE, Design
 from spec.discrete import DISCRETE
@@ -77,6 +77,23 @@ CLAIMS: tuple[Claim, ...] = (
             for mover in range(2)
         ),
         long=True,
+    ),
+    Claim(
+        id="claim/centres-are-lawful",
+        family="designs",
+        sentence="To a centre that leads, a string of any number of edges and bodies keeps the laws that a request "
+        "takes for granted, with gaps and walls as far as they are from the borders.",
+        source="4.3.2; E9, R7, R14",
+        about=ONE.id,
+        profile=THESIS,
+        premises=(STRING, ORDERED),
+        expected=Verdict.PROVED,
+        obligations=tuple(
+            of_strings(designs.centres_are_lawful, closed, ORDERED, direction=direction, last=last)
+            for closed in (False, True)
+            for last in (False, True)
+            for direction in Direction
+        ),
     ),
     counted(
         "designs-cost",

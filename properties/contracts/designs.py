@@ -10,16 +10,19 @@ from typing import Any
 
 from properties.contracts.counts import row_in_contact
 from properties.contracts.errata import RIGHT, Stage
+from properties.contracts.strings import GAPS_FIT, border_and_neighbour, check_steps, world_with
 from properties.evidence.deeds import MOST_RULES
-from properties.given import Given
+from properties.given import HAS_WIDTH, Given
 from properties.worlds.rows import any_level, located, string_graph
-from reference.designs import Cost, Crowd, Neighbour, by_border, by_centre, by_order
+from reference.designs import Cost, Crowd, Leading, Neighbour, by_border, by_centre, by_order, crowd_of
 from reference.simulator import move
 from reference.world import World
 from spec.body import Body, EdgePosition, Level
+from spec.conditions import IN_ORDER
 from spec.designs import DESIGNS, ONE, ONE_CACHED, THREE, TWO, Design, Part
 from spec.graph import Direction, Vertex, polyline
 from spec.profiles import Profile
+from spec.transform import mirror
 
 ROWS, RINGS, ROUNDING = 60, 0.4, 1e-9
 LINES, FEW = range(60), range(12)
@@ -46,7 +49,7 @@ def designs_agree(
     """A request ends with every border at the same place under a design as under the rules of the profile."""
     level = any_level(given, bodies, edges, closed)
     start, asked = World(level), given.number("distance asked")
-    crowd, after = Crowd(design, profile, start), start.copy()
+    crowd, after = crowd_of(design, profile, start), start.copy()
     crowd_moved, record = crowd.move(mover, direction, asked, MOST_RULES)
     moved, fired = move(profile, after, mover, direction, asked, MOST_RULES)
     for _, rule in (*record.fired, *fired.fired):
@@ -58,6 +61,51 @@ def designs_agree(
             given.ensure(
                 "every border is at the same place", same_place(after, body, crowd.along(body, Part(side)), there)
             )
+
+
+def centres_are_lawful(profile: Profile, given: Given, direction: Direction, closed: bool, last: bool) -> None:
+    """To a centre that leads, any string keeps the laws of `spec.world.View`, with the gap and the wall of its borders.
+
+    Where the centres are stands in the world as the front border of one body and the rear border of the next.
+    """
+    level, free = border_and_neighbour(given, closed, last), given.number("free space of the ring")
+    world = world_with(level if direction is Direction.RIGHT else mirror(level), free)
+    plain = world.facing(direction)
+    at, half, other = plain.front(0), given.number("half the width"), given.number("half the width of the one ahead")
+    between, end = plain.gap(at, 1), world.to_wall(0, direction)
+    if closed:
+        given.assume((between <= free) & (free < world.rows[0].length), GAPS_FIT)
+    given.assume((half > 0) & (other > 0), HAS_WIDTH)
+    given.assume(between >= half + other, IN_ORDER.id)
+    if end is not None:
+        given.assume(end - between >= other, "the body ahead is on its string")
+    places = [{Part.CENTRE: at}, {Part.CENTRE: plain.rear(1)}]
+    view: Any = Crowd(ONE, profile, world, [half, other], places, by_order).facing(direction).leading(0)
+    room = None if end is None else end - half
+    given.ensure("the gap is that of the borders", view.gap(at, 1) == between - half - other)
+    given.ensure("the wall is that of the border", equal_or_none(view.to_wall(at), room))
+    check_steps(given, view, at)
+    check_sight_of(given, view, at, room)
+
+
+def equal_or_none(one: Any, other: Any) -> Any:
+    """Whether two numbers are equal, or both are missing."""
+    return one is other if one is None or other is None else one == other
+
+
+def check_sight_of(given: Given, view: Leading[Any], at: EdgePosition[Any], room: Any) -> None:
+    """Promise where the next edge begins, where the wall is, and who is seen, by a centre."""
+    reach, gap, onward, ahead = view.reach(at), view.gap(at, 1), view.beyond(at).onward, view.ahead(0, at)
+    if onward is None:
+        given.ensure("where no edge follows, the wall is as far as it reaches", equal_or_none(room, reach))
+        given.ensure("on the last edge a body ahead is seen", ahead == 1)
+        return
+    given.ensure("on this edge and the next a body is seen", (gap <= reach + view.reach(onward)) == (ahead == 1))
+    if gap >= reach:
+        given.ensure("the end of an edge is the beginning of the next", view.gap(onward, 1) == gap - reach)
+    given.ensure(
+        "the wall is nearer by the edge", equal_or_none(view.to_wall(onward), None if room is None else room - reach)
+    )
 
 
 def random_level(draw: Random, kind: Any, margin: Any, closed: bool) -> Level[Any]:
@@ -88,7 +136,7 @@ def designs_agree_on_random_rows(profile: Profile) -> int:
     draw = Random(43)
     for _ in range(ROWS):
         start = World(random_level(draw, Fraction, Fraction(1, 8), closed=draw.random() < RINGS))
-        crowds, plain = [Crowd(design, profile, start) for design in DESIGNS], start.copy()
+        crowds, plain = [crowd_of(design, profile, start) for design in DESIGNS], start.copy()
         for _ in range(3):
             body, direction = draw.randrange(len(start.bodies)), draw.choice(list(Direction))
             asked = Fraction(draw.randrange(1, 50), 10)
@@ -116,14 +164,14 @@ COUNTED: dict[str, tuple[Cost, Cost]] = {**PRINTED, "design/3ep": (Cost(1, 2), C
 
 def cost_of_a_move(profile: Profile, design: Design, bodies: int, pushed: int) -> Cost:
     """What it costs to move a body that pushes others, on one edge."""
-    crowd = Crowd(design, profile, row_in_contact(bodies, pushed))
+    crowd = crowd_of(design, profile, row_in_contact(bodies, pushed))
     crowd.move(0, RIGHT, crowd.world.margin, MOST_RULES)
     return crowd.cost.moves
 
 
 def cost_of_a_look_up(profile: Profile, design: Design, side: Part) -> Cost:
     """What it costs to look a border up."""
-    crowd = Crowd(design, profile, row_in_contact(1, 0))
+    crowd = crowd_of(design, profile, row_in_contact(1, 0))
     crowd.border(0, side)
     return crowd.cost
 
@@ -148,7 +196,7 @@ def three_cost_as_two(profile: Profile, given: Given, stage: Stage) -> None:
     held, asked = stage.set(any_level(given, bodies=1, edges=1, closed=False)), given.number("distance asked")
     given.assume(asked > 0, "it is asked for more than 0")
     stage.steps.append(("A", asked))
-    crowds = [Crowd(design, profile, held) for design in (TWO, THREE)]
+    crowds = [crowd_of(design, profile, held) for design in (TWO, THREE)]
     for crowd in crowds:
         crowd.move(0, RIGHT, asked, MOST_RULES)
     given.ensure("a move costs the same", crowds[0].cost.moves == crowds[1].cost.moves)
@@ -163,7 +211,7 @@ def ledges_are_left_alike(profile: Profile, given: Given, stage: Stage) -> None:
     stage.steps.append(("A", asked))
     left = []
     for design in (ONE, TWO):
-        crowd = Crowd(design, profile, held)
+        crowd = crowd_of(design, profile, held)
         crowd.move(0, RIGHT, asked, MOST_RULES)
         left.append(crowd.has_left(0, RIGHT))
     given.ensure("it has left its ledge under both or neither", left[0] == left[1])
@@ -189,7 +237,7 @@ def play_line(profile: Profile, design: Design, neighbour: Neighbour, kind: Any,
     """A few random requests on a random line; the same ones for the same seed."""
     draw = Random(seed)
     world = World(random_level(draw, kind, margin, closed=False))
-    crowd, overlap = Crowd(design, profile, world, neighbour), kind(0)
+    crowd, overlap = crowd_of(design, profile, world, neighbour), kind(0)
     for _ in range(6):
         body, direction = draw.randrange(len(world.bodies)), draw.choice(list(Direction))
         crowd.move(body, direction, kind(draw.randrange(1, 40)) / 10, MOST_RULES)
@@ -236,7 +284,7 @@ def walked_into(profile: Profile) -> WalkedInto:
         Body(name, EdgePosition(0, left), EdgePosition(0, right), 0.0, 1.0)
         for name, (left, right) in (("A", a), ("B", b))
     )
-    crowd = Crowd(TWO, profile, World(Level(string_graph([8.0], None), 0.0, 1.0, held)), by_border)
+    crowd = crowd_of(TWO, profile, World(Level(string_graph([8.0], None), 0.0, 1.0, held)), by_border)
     crowd.move(0, RIGHT, asked[0], MOST_RULES)
     right, left = crowd.along(0, Part.RIGHT), crowd.along(1, Part.LEFT)
     crowd.move(0, RIGHT, asked[1], MOST_RULES)
