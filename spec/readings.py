@@ -376,8 +376,8 @@ OF_STOREYS: tuple[Reading[None], ...] = (
     ),
     reading(
         "repaired/velocity-at-a-block",
-        "A body that does not move with its velocity in the end of a tick has from then on the one with which it "
-        "does, relative to what it stands on; what is pushed gets none.",
+        "A dynamic body that does not move with its velocity in the end of a tick has from then on the one with which "
+        "it does, relative to what it stands on; what is pushed gets none.",
         "6.2.1c, 6.3.4; A2, A38, O8",
         "it keeps its velocity; what is pushed takes over the pusher's",
         "repaired-slide",

@@ -36,14 +36,15 @@ FLOORS_OF_VERDICTS = {
         one-velocity-rule-applies one-velocity-rule-applies/repaired speed-is-bounded speed-is-bounded/repaired
         friction-turns-nothing friction-turns-nothing/repaired resistance-only-resists resistance-only-resists/repaired
         rest-is-kept-by-friction rest-is-kept-by-friction/repaired velocities-ask-for-their-way
+        step-margin step-terrain step-support step-seat step-order step-motion step-not-raised step-bystanders
+        step-progress step-squeezed step-one-key
     """,
     BOUNDED: """
         whole-rows terrain plane-apart-of-two horizontal-alone supports-end never-raised height-kept
         supports-end/overshoot never-raised/overshoot height-kept/overshoot
-        step-margin step-terrain step-support step-seat step-order step-motion step-not-raised step-bystanders
-        step-progress step-squeezed step-one-key step-instants step-split step-mirror whole-steps requests-end-alike
         rest-up-to-the-coefficient rest-up-to-the-printed-slope way-without-friction way-without-friction/repaired
         drag-leaves-a-part drag-leaves-a-part/repaired drag-takes-by-the-way
+        step-instants step-split step-mirror whole-steps requests-end-alike
     """,
     TESTED: """
         rule-count invariants-judge
@@ -59,6 +60,7 @@ FLOORS_OF_VERDICTS = {
         carried-clear carried-clear/overshoot no-short-pit no-short-pit-heights no-overhang-from-body no-tunnel
         no-fall-onto-middle no-sharp-ledge no-fall-off-body no-landing-does-not-fit
         rest-on-slopes friction-by-the-cosine printed-drag-by-the-way minimum-lets-begin
+        no-higher-through-a-valley
     """,
 }
 

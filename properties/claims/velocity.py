@@ -247,6 +247,14 @@ CLAIMS: tuple[Claim, ...] = (
         physics.drag_by_the_way,
     ),
     refuted(
+        "no-higher-through-a-valley",
+        "velocity/gravity",
+        "A body that is let go on one side of a valley of two equal slopes, without friction, comes no higher on the "
+        "other side, whatever the tick.",
+        "F6.7; R10, A33",
+        physics.no_higher_through_a_valley,
+    ),
+    refuted(
         "minimum-lets-begin",
         "velocity/minimum-printed",
         "On a slope without friction a body at rest begins to move, whatever its least speed.",

@@ -29,8 +29,9 @@ from spec.rules.request import Rules
 from spec.rules.velocity import Material, Motion, Slope, VelocityRules, magnitude, signed, simulate_tick
 from spec.rules.walk import Motion as Walking
 
-SEED, CASES, MOST_TICKS = 20, 2_000, 40
+SEED, CASES, MOST_TICKS = 20, 1_000, 40
 SINE, COSINE = Fraction(3, 5), Fraction(4, 5)
+TICKS_THROUGH = 3
 
 
 def on_a_slope(material: Material[Any], velocity: Any, tick: Fraction = TICK) -> Level[Any]:
@@ -90,6 +91,22 @@ def minimum_lets_begin(profile: Profile, given: Given, stage: Stage) -> None:
     slowest = given.number("least speed")
     after = velocity_after_a_tick(profile, stage, on_a_slope(any_material(friction=ZERO, slowest=slowest), ZERO))
     given.ensure("it moves", after > 0)
+
+
+def no_higher_through_a_valley(profile: Profile, given: Given, stage: Stage) -> None:
+    """A body that is let go on one side of a valley, without friction, comes no higher on the other."""
+    graph = polyline([Vertex(ZERO, 6 * ONE), Vertex(8 * ONE, ZERO), Vertex(16 * ONE, 6 * ONE)])
+    start = given.number("how far from the top it is let go")
+    given.assume(start <= 9, "it begins on the slope")
+    motion = Motion(ZERO, any_material(friction=ZERO), GRAVITY, ZERO)
+    body = Body("A", EdgePosition(0, start), EdgePosition(0, start + 1), ZERO, ONE, motion=motion)
+    level = Level(graph, ONE / 4, ONE / 2, (body,))
+    game, world = Game(profile, level), stage.set(level)
+    for _ in range(TICKS_THROUGH):
+        game.tick(Direction.RIGHT)
+        stage.steps.append(None)
+    left = game.world.to_wall(0, Direction.RIGHT)
+    given.ensure("it comes no higher", left >= world.to_wall(0, Direction.LEFT))
 
 
 @dataclass(frozen=True)

@@ -135,7 +135,8 @@ def slowest_has_one(rules: VelocityRules, given: Given) -> None:
 def after_has_one(rules: VelocityRules, given: Given) -> None:
     """Any velocities, hindered or not."""
     meant, actual = any_velocity(given, "velocity"), any_velocity(given, "actual velocity")
-    promise_one(given, rules.after, Moved(meant, given.flag("it moved all the way"), actual))
+    dynamic, free = given.flag("the body is dynamic"), given.flag("it moved all the way")
+    promise_one(given, rules.after, Moved(meant, dynamic, free, actual))
 
 
 def static_velocities_stay(rules: VelocityRules, given: Given) -> None:

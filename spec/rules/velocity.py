@@ -156,6 +156,7 @@ class Moved(Generic[N]):
     """A velocity with which a body was to move, whether it did so all the way, and with which it moved in the end."""
 
     velocity: N
+    dynamic: bool
     free: bool
     actual: N
 
@@ -328,14 +329,14 @@ def standing(bounded: Bounded[N]) -> N:
     return zero_like(bounded.velocity)
 
 
-def moved_freely(moved: Moved[N]) -> Truth:
-    """It moved all the way."""
-    return moved.free
+def static_or_free(moved: Moved[N]) -> Truth:
+    """It is static, or moved all the way."""
+    return moved.free or not moved.dynamic
 
 
 def was_hindered(moved: Moved[N]) -> Truth:
-    """It did not move all the way."""
-    return not moved.free
+    """It is dynamic, and did not move all the way."""
+    return moved.dynamic and not moved.free
 
 
 def as_meant(moved: Moved[N]) -> N:
@@ -577,14 +578,15 @@ AFTER: AnyFamily = Family(
     (
         Rule(
             id="velocity/unhindered",
-            sentence="A body that has moved all the way keeps its velocity; what it pushes gets none of it.",
-            source="6.2.1c, 6.3.4; A2, O8",
-            guard=(moved_freely,),
+            sentence="A body that has moved all the way keeps its velocity, and so does a static one; what it pushes "
+            "gets none of it.",
+            source="6.2.1c, 6.3.4; R26, A2, O8",
+            guard=(static_or_free,),
             effect=as_meant,
         ),
         Rule(
             id="velocity/hindered",
-            sentence="A body that has not moved all the way has the velocity with which it moved in the end.",
+            sentence="A dynamic body that has not moved all the way has the velocity with which it moved in the end.",
             source="6.2.1c, 6.3.4; A38, O8",
             guard=(was_hindered,),
             effect=as_moved,
@@ -601,4 +603,6 @@ def simulate_tick(rules: VelocityRules, motion: Motion[N], slope: Slope[N], dt: 
 
 def meet(rules: VelocityRules, motion: Motion[N], free: bool, actual: N) -> Motion[N]:
     """The motion of a body after its move: `free` if it moved all the way, and with which velocity in the end."""
-    return replace(motion, velocity=chosen(rules.after, Moved(motion.velocity, free, actual)))
+    return replace(
+        motion, velocity=chosen(rules.after, Moved(motion.velocity, motion.material is not None, free, actual))
+    )
