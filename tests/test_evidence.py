@@ -61,6 +61,7 @@ FLOORS_OF_VERDICTS = {
         no-energy-gained no-energy-gained/repaired stopping-way stopping-way/repaired invariants-at-any-velocity
         falls-end cuts-do-not-matter display-rules-fire circles-are-even nobody-drops-unseen
         designs-cost margins-are-for-floats
+        cases-are-complete cases-are-complete/overshoot
     """,
     REFUTED: """
         no-overlap-on-short-edges pushing-on-short-edges split-anywhere additive-on-any-ring

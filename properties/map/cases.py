@@ -110,7 +110,7 @@ def introduction(findings: Findings) -> list[str]:
     shapes, paths = (sum(one[what] for one in found) for what in ("shapes", "paths"))
     lists = [
         f"- *{group}*: {(GROUPS[group].__doc__ or '').partition('.')[0].lower()} "
-        f"({findings[f'{THESIS.name}, {group}']['shapes']} shapes)"
+        f"({counted(findings[f'{THESIS.name}, {group}']['shapes'], 'shapes')})"
         for group in GROUPS
     ]
     strays = list(uncatalogued(findings))
@@ -222,7 +222,11 @@ def told(case: Case, one: Witness) -> list[str]:
 
 def counted(number: int, things: str) -> str:
     """A number of things."""
-    return f"{number} {things}" if number > 1 else {"bodies": "one body", "grounds": "one ground"}[things]
+    return (
+        f"{number} {things}"
+        if number > 1
+        else {"bodies": "one body", "grounds": "one ground", "shapes": "one shape"}[things]
+    )
 
 
 def broken(findings: Findings) -> Iterator[str]:
