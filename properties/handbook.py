@@ -18,6 +18,7 @@ from properties.evidence.sources import sources
 from properties.explain import Fact, Firing, everything, facts, firings, witness_of
 from properties.pages import with_tables
 from properties.results import ClaimResult, Results
+from properties.slides import with_numbers
 from reference.draw import strip
 from reference.formats.files import FormatError, read
 from reference.recording import recording
@@ -116,6 +117,8 @@ def write_handbook(docs: Path) -> int:
     (to / "README.md").write_text("\n".join(index(table)) + "\n")
     formats = docs / "formats.md"
     formats.write_text(with_tables(formats.read_text()))
+    physics = docs / "physics.md"
+    physics.write_text(with_numbers(physics.read_text()))
     return len(table)
 
 

@@ -21,7 +21,7 @@ from reference.formats.level import (
     tops_of,
     valid_level,
 )
-from reference.formats.numbers import number_text
+from reference.formats.numbers import exact, number_text
 from reference.formats.scenario import DriveRecord, RemoveRecord, RequestRecord, TickRecord, check_step
 from reference.formats.trace import EventRecord, HeaderRecord, LineRecord, MoveRecord, PlaceRecord, check_line
 from reference.plan import without
@@ -31,6 +31,7 @@ from reference.world import LevelError, World, standing
 from spec.body import Body, Level
 from spec.profiles import AnyProfile, SteppedProfile
 from spec.registry import rules_of
+from spec.rules.velocity import Motion
 
 
 @dataclass(frozen=True)
@@ -168,7 +169,8 @@ def move_record(move: Fulfilled[Any]) -> MoveRecord:
 
 def place_record(body: Body[Any], level: Level[Any]) -> PlaceRecord:
     """Where a body is, as it stands in a trace."""
-    return PlaceRecord(body.name, position_record(body.left, level), position_record(body.right, level))
+    velocity = None if body.motion is None else number_text(body.motion.velocity)
+    return PlaceRecord(body.name, position_record(body.left, level), position_record(body.right, level), velocity)
 
 
 def supports_of(bodies: tuple[Body[Any], ...], level: Level[Any]) -> dict[str, str]:
@@ -199,5 +201,21 @@ def state_after(level: Level[Fraction], line: LineRecord) -> World[Fraction]:
     for body in level.bodies:
         at, place = places[body.name]
         left, right = position_of(place.left, tops, f"{at}.left"), position_of(place.right, tops, f"{at}.right")
-        bodies.append(replace(body, left=left, right=right))
+        motion = motion_after(body, place.velocity, f"{at}.velocity")
+        bodies.append(replace(body, left=left, right=right, motion=motion))
     return standing(replace(level, bodies=tuple(bodies)))
+
+
+def motion_after(body: Body[Fraction], velocity: Any, place: str) -> Motion[Fraction] | None:
+    """The motion of a body with the velocity that a line says it has.
+
+    Raises:
+        LevelError: if the body has none, or the line does not say a number where it has.
+    """
+    if body.motion is None:
+        if velocity is not None:
+            raise LevelError(place, f"expected none: {body.name!r} has no velocity of its own")
+        return None
+    if velocity is None:
+        raise LevelError(place, f"expected the velocity of {body.name!r}, which moves of its own")
+    return replace(body.motion, velocity=exact(velocity, place))

@@ -15,7 +15,7 @@ from dataclasses import dataclass, field, replace
 from typing import Generic
 
 from spec.body import Body, EdgePosition, Level
-from spec.graph import Direction, EdgeType, Graph
+from spec.graph import Direction, Edge, EdgeType, Graph, Vertex, extent
 from spec.interpolation import linear
 from spec.number import N, zero_like
 from spec.world import Beyond, Jump
@@ -275,6 +275,16 @@ class World(Generic[N]):
         if circumference is not None and x < self.point(held.left)[0]:
             return x + circumference, y
         return x, y
+
+    def edges_under(self, body: int) -> tuple[Edge[N], Edge[N]]:
+        """The static edges of the left and the right border of a body that stands on the ground."""
+        held = self.bodies[body]
+        return self.graph.edges[held.left.edge], self.graph.edges[held.right.edge]
+
+    def extent(self, body: int) -> tuple[N, N]:
+        """How far it is across and up from the left border of a body to the right one."""
+        held = self.bodies[body]
+        return extent(Vertex(*self.point(held.left)), Vertex(*self.unrolled(held)), zero_like(self.margin))
 
     def tip_point(self, edge: int, direction: Direction) -> tuple[N, N]:
         """Where an end of an edge is: a static one exactly at its vertex, in floats too."""

@@ -14,8 +14,49 @@ from spec.rules.request import Rules, segment
 from spec.rules.row import FORWARD, MEET, PASS, WAY
 from spec.rules.settle import SETTLE
 from spec.rules.step import StepRules
+from spec.rules.velocity import (
+    AFTER,
+    AFTER_PRINTED,
+    BODY,
+    COEFFICIENT,
+    COEFFICIENT_PRINTED,
+    DRAG,
+    DRAG_PRINTED,
+    FASTEST,
+    FRICTION,
+    NORMAL,
+    NORMAL_PRINTED,
+    PULL,
+    SLOWEST,
+    SLOWEST_PRINTED,
+    VelocityRules,
+)
 from spec.rules.walk import FOLLOW, WALK
 from spec.rules.wish import WISH
+
+PRINTED = VelocityRules(
+    body=BODY,
+    pull=PULL,
+    normal=NORMAL_PRINTED,
+    coefficient=COEFFICIENT_PRINTED,
+    friction=FRICTION,
+    drag=DRAG_PRINTED,
+    fastest=FASTEST,
+    slowest=SLOWEST_PRINTED,
+    after=AFTER_PRINTED,
+)
+
+MENDED = VelocityRules(
+    body=BODY,
+    pull=PULL,
+    normal=NORMAL,
+    coefficient=COEFFICIENT,
+    friction=FRICTION,
+    drag=DRAG,
+    fastest=FASTEST,
+    slowest=SLOWEST,
+    after=AFTER,
+)
 
 
 @dataclass(frozen=True)
@@ -28,6 +69,7 @@ class Profile:
     rules: Rules
     push_limit: Callable[[int], int]
     tick_order: Callable[[Sequence[str]], Sequence[str]]
+    velocity: VelocityRules
 
     kind = "profile"
 
@@ -55,6 +97,7 @@ THESIS = Profile(
     ),
     push_limit=PUSH_LIMIT.choice,
     tick_order=TICK_ORDER.choice,
+    velocity=PRINTED,
 )
 
 OVERSHOOT = replace(
@@ -63,6 +106,15 @@ OVERSHOOT = replace(
     sentence="The rules as printed, but for the landing: a body that falls or jumps keeps its horizontal position.",
     source="6.2.1d, 6.2.1e; A15, A19",
     rules=replace(THESIS.rules, landing=LANDING_OVERSHOOT.choice),
+)
+
+MENDED_VELOCITY = replace(
+    THESIS,
+    name="thesis/mended-velocity",
+    sentence="The rules as printed, but for velocities, which are those of `repaired`: for slopes, of which storeys "
+    "have none.",
+    source="6.3.1, 6.3.2; P1, P2, P10",
+    velocity=MENDED,
 )
 
 
@@ -74,6 +126,7 @@ class SteppedProfile:
     sentence: str
     source: str
     rules: StepRules
+    velocity: VelocityRules
 
     kind = "profile"
 
@@ -99,9 +152,10 @@ REPAIRED = SteppedProfile(
         loss=LOSS,
         settle=SETTLE,
     ),
+    velocity=MENDED,
 )
 
 AnyProfile = Profile | SteppedProfile
 
-OF_REQUESTS: dict[str, Profile] = {profile.name: profile for profile in (THESIS, OVERSHOOT)}
+OF_REQUESTS: dict[str, Profile] = {profile.name: profile for profile in (THESIS, OVERSHOOT, MENDED_VELOCITY)}
 PROFILES: dict[str, AnyProfile] = {**OF_REQUESTS, REPAIRED.name: REPAIRED}

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import Protocol
 
 from spec.conditions import CONDITIONS
@@ -13,9 +14,10 @@ from spec.models import MODELS, OF_GRAPHS, OF_STOREYS as MODELS_OF_STOREYS
 from spec.plane import IN_PLANE
 from spec.profiles import PROFILES, AnyProfile
 from spec.readings import OF_STOREYS, READINGS
-from spec.rule import AnyRule, Family
+from spec.rule import AnyRule, Chooser, Family
 from spec.rules.request import FAMILIES, Rules
 from spec.rules.step import STEP_FAMILIES
+from spec.rules.velocity import VELOCITY_FAMILIES
 from spec.stepped import OF_ONE_STEP, STEP_RELATIONS
 from spec.unsupported import CASES, OF_CHANGES, OF_LEVELS
 
@@ -41,9 +43,18 @@ class Statement(Protocol):
 
 
 def rules_of(profile: AnyProfile) -> list[AnyRule]:
-    """The rules of a profile, chapter by chapter."""
+    """The rules of movement of a profile, chapter by chapter."""
     names = FAMILIES if isinstance(profile.rules, Rules) else STEP_FAMILIES
-    families = (getattr(profile.rules, name) for name in names)
+    return rules_in(getattr(profile.rules, name) for name in names)
+
+
+def velocity_rules_of(profile: AnyProfile) -> list[AnyRule]:
+    """The rules of velocity of a profile."""
+    return rules_in(getattr(profile.velocity, name) for name in VELOCITY_FAMILIES)
+
+
+def rules_in(families: Iterable[Chooser]) -> list[AnyRule]:
+    """The rules of some families."""
     return [rule for family in families if isinstance(family, Family) for rule in family.rules]
 
 
@@ -51,8 +62,8 @@ def text_of(profile: AnyProfile) -> list[Statement]:
     """All that one must know to implement a profile, in the order in which to read it: models, rules, readings."""
     if isinstance(profile.rules, Rules):
         readings = [one for one in READINGS if one not in OF_STOREYS]
-        return [*OF_GRAPHS, *rules_of(profile), *readings]
-    return [*MODELS_OF_STOREYS, *rules_of(profile), *OF_STOREYS]
+        return [*OF_GRAPHS, *rules_of(profile), *velocity_rules_of(profile), *readings]
+    return [*MODELS_OF_STOREYS, *rules_of(profile), *velocity_rules_of(profile), *OF_STOREYS]
 
 
 def statements() -> dict[str, Statement]:
@@ -61,7 +72,8 @@ def statements() -> dict[str, Statement]:
     Raises:
         ValueError: if two statements have the same ID.
     """
-    rules = {rule.id: rule for profile in PROFILES.values() for rule in rules_of(profile)}.values()
+    of_profiles = [rule for one in PROFILES.values() for rule in (*rules_of(one), *velocity_rules_of(one))]
+    rules = {rule.id: rule for rule in of_profiles}.values()
     everything: list[Statement] = [*PROFILES.values(), *rules, *MODELS, *OF_ONE_REQUEST, *RELATIONS, *IN_PLANE]
     everything += [*OF_ONE_STEP, *STEP_RELATIONS, *CONDITIONS, *GUIDELINES, *READINGS, *CASES, *OF_LEVELS, *OF_CHANGES]
     everything += [*DIFFERENCES, *ERRATA]

@@ -10,6 +10,7 @@ from reference.formats.numbers import exact, readable
 from reference.formats.trace import HeaderRecord, LineRecord
 from reference.recording import Recording
 from reference.rounding import Precision, largest, tolerance
+from reference.simulator import Fulfilled, Game
 from reference.world import LevelError, World
 from spec.body import Level
 from spec.graph import Direction
@@ -32,17 +33,37 @@ class Step:
     after: World[Fraction]
 
 
-def requests_of(level: Level[Fraction], profile: Profile, line: LineRecord) -> tuple[Request, ...]:
-    """The requests of a line, in the order in which they are made."""
-    handles = {body.name: handle for handle, body in enumerate(level.bodies)}
+def requests_of(before: World[Fraction], profile: Profile, line: LineRecord) -> tuple[Request, ...]:
+    """The requests of a line, in the order in which they are made.
+
+    Those of bodies with a velocity of their own are the ones that the rules make of the velocities before it.
+    """
+    handles = {body.name: handle for handle, body in enumerate(before.bodies)}
     if line.request is not None:
         distance = exact(line.request.distance, "$.request.distance")
-        direction = Direction.LEFT if distance < 0 else Direction.RIGHT
-        return ((handles[line.request.body], direction, abs(distance)),)
+        return ((handles[line.request.body], way(distance), abs(distance)),)
     assert line.tick is not None
-    direction = Direction[line.tick.key.upper()]
-    bodies = [level.bodies[handles[name]] for name in profile.tick_order(list(handles))]
-    return tuple((handles[body.name], direction, body.speed * level.tick) for body in bodies if body.speed)
+    direction = line.tick.direction
+    if any(body.motion is not None for body in before.bodies):
+        return tuple((handles[one.body], way(one.asked), abs(one.asked)) for one in rolled(before, profile, line)[0])
+    if direction is None:
+        return ()
+    bodies = [before.bodies[handles[name]] for name in profile.tick_order(list(handles))]
+    return tuple((handles[body.name], direction, body.speed * before.level.tick) for body in bodies if body.speed)
+
+
+def way(distance: Fraction) -> Direction:
+    """The direction of a signed distance."""
+    return Direction.LEFT if distance < 0 else Direction.RIGHT
+
+
+def rolled(
+    before: World[Fraction], profile: Profile, line: LineRecord
+) -> tuple[list[Fulfilled[Fraction]], World[Fraction]]:
+    """What the rules make of a tick in exact numbers: the turns of all bodies, and the world after them."""
+    assert line.tick is not None
+    game = Game(profile, before.level)
+    return game.tick(line.tick.direction), game.world
 
 
 def tolerance_of(header: HeaderRecord, level: Level[Fraction], asked: tuple[Request, ...]) -> Fraction:

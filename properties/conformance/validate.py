@@ -17,10 +17,18 @@ from properties.conformance.log import (
     Step,
     grid_of,
     requests_of,
+    rolled,
     tolerance_of,
 )
 from properties.conformance.minimise import Reduction
-from properties.conformance.said import of_the_events, of_the_grid, of_the_moves, of_the_state
+from properties.conformance.said import (
+    of_the_events,
+    of_the_grid,
+    of_the_moves,
+    of_the_rolls,
+    of_the_state,
+    of_the_velocities,
+)
 from properties.conformance.stepping import OfChanges, OfSteps
 from reference.formats.files import FormatError, one_line
 from reference.formats.trace import LineRecord
@@ -150,7 +158,7 @@ def steps_of(path: Path, log: Recording, referee: Referee) -> Iterator[tuple[Ste
             yield Step(number, after, (), line, after), log, OfChanges(state, before, referee)
             state = after
             continue
-        asked, after = referee.asked(line), world_after(log, line, f"{path}:{number}")
+        asked, after = referee.asked(state, line), world_after(log, line, f"{path}:{number}")
         yield Step(number, state, asked, line, after), log, referee
         state = after
 
@@ -170,7 +178,7 @@ def world_after(log: Recording, line: LineRecord, where: str) -> World[Fraction]
 class Referee(Protocol):
     """Who judges the steps of a log."""
 
-    def asked(self, line: LineRecord, /) -> tuple[Request, ...]:
+    def asked(self, before: World[Fraction], line: LineRecord, /) -> tuple[Request, ...]:
         """Who was to move how far in a step."""
 
     def judge(self, step: Step, tolerance: Fraction, /) -> tuple[Judgement, list[Difference]]:
@@ -187,9 +195,9 @@ class OfRequests:
     level: Level[Fraction]
     profile: Profile
 
-    def asked(self, line: LineRecord) -> tuple[Request, ...]:
+    def asked(self, before: World[Fraction], line: LineRecord) -> tuple[Request, ...]:
         """The requests of a line, in order."""
-        return requests_of(self.level, self.profile, line)
+        return requests_of(before, self.profile, line)
 
     def judge(self, step: Step, tolerance: Fraction) -> tuple[Judgement, list[Difference]]:
         """Where the bodies are, and what the line says of its requests; of rules where they are known."""
@@ -199,7 +207,14 @@ class OfRequests:
             rules_known = judgement.finding is Finding.AGREES and not tolerance and in_one_order(step.before)
             said += of_the_moves(step.line, step.asked, judgement.expected, tolerance, rules_known)
             said += of_the_events(step.line, self.profile, judgement.expected) if rules_known else ()
+            said += self.of_velocities(step, tolerance, rules_known)
         return judgement, said
+
+    def of_velocities(self, step: Step, tolerance: Fraction, rules_known: bool) -> Iterator[Difference]:
+        """What the line says of velocities, which change in ticks only; of their rules too, if these are known."""
+        turns, world = ([], step.before) if step.line.tick is None else rolled(step.before, self.profile, step.line)
+        yield from of_the_velocities(step.after, world.bodies, tolerance)
+        yield from of_the_rolls(step.line, turns) if rules_known else ()
 
     def trouble(self, step: Step, log: Recording, judgement: Judgement, tolerance: Fraction) -> Trouble:
         """Which rule diverges, and the step as a small scenario."""

@@ -88,7 +88,7 @@ def name_of(claim: Claim, obligation: Obligation) -> str:
 
 def of_requests() -> list[Claim]:
     """The claims about rules by which bodies move one after another, of which there are mutants."""
-    return [claim for claim in CLAIMS if claim.profile.name in OF_REQUESTS]
+    return [claim for claim in CLAIMS if claim.profile.name in OF_REQUESTS and claim.family != "velocity"]
 
 
 @cache
