@@ -293,6 +293,52 @@ CONCEDED: tuple[Erratum, ...] = (
     ),
 )
 
+ON_SLOPES: tuple[Erratum, ...] = (
+    Erratum(
+        "erratum/normal-force",
+        "The normal force is 1 - |sin| times gravity as printed; it is the cosine times gravity, so friction is too "
+        "small on every slope.",
+        "F6.7, 6.3.2; P1, R28",
+        printed=("velocity/normal-printed",),
+        witness="physics-slope-printed",
+        refuted=("claim/friction-by-the-cosine",),
+        mended=("velocity/normal",),
+        evidence=("claim/rest-up-to-the-coefficient",),
+    ),
+    Erratum(
+        "erratum/static-friction",
+        "Static friction is said not to be simulated; a body at rest does stay at rest, for friction ends at 0, but as "
+        "printed on too few slopes.",
+        "6.3.2; P2, E3, R28",
+        printed=("velocity/friction-holds", "velocity/normal-printed"),
+        witness="physics-slope-printed",
+        refuted=("claim/rest-on-slopes",),
+        mended=("velocity/normal", "velocity/friction-holds"),
+        evidence=("claim/rest-up-to-the-coefficient", "claim/rest-is-kept-by-friction/repaired"),
+    ),
+    Erratum(
+        "erratum/drag-per-tick",
+        "Drag multiplies the velocity once in each tick, so that it depends on the length of the tick.",
+        "6.3.1, T2.2; P10, A37",
+        printed=("velocity/drag-printed",),
+        witness="physics-drag-printed",
+        refuted=("claim/printed-drag-by-the-way",),
+        mended=("velocity/drag",),
+        evidence=("claim/drag-takes-by-the-way",),
+    ),
+    Erratum(
+        "erratum/minimum-sticks",
+        "A velocity below the minimum is set to 0, also that of a body that begins to move: it never does where a tick "
+        "of gravity gives it less.",
+        "6.3.1; R27, A35",
+        printed=("velocity/minimum-printed",),
+        witness="physics-drag-printed",
+        refuted=("claim/minimum-lets-begin",),
+        mended=("velocity/minimum", "velocity/begins"),
+        evidence=("claim/rest-is-kept-by-friction/repaired",),
+    ),
+)
+
 KEPT: tuple[Erratum, ...] = (
     Erratum(
         "erratum/falls-at-the-rear",
@@ -326,4 +372,4 @@ KEPT: tuple[Erratum, ...] = (
     ),
 )
 
-ERRATA: tuple[Erratum, ...] = (*ON_STRINGS, *ON_LEDGES, *ON_TOPS, *CONCEDED, *KEPT)
+ERRATA: tuple[Erratum, ...] = (*ON_STRINGS, *ON_LEDGES, *ON_TOPS, *ON_SLOPES, *CONCEDED, *KEPT)

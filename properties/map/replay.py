@@ -105,11 +105,11 @@ class Replay:
                 world = deed.after  # type: ignore[assignment]
 
     def requests(self, step: StepRecord) -> Iterator[tuple[int, Fraction]]:
-        """Who is asked for how much, to the right, in a step."""
+        """Who is asked for how much, to the right, in a step; who slides in a tick is not among them."""
         names = {body.name: handle for handle, body in enumerate(self.level.bodies)}
         if step.request is not None:
             yield names[step.request.body], exact(step.request.distance, "$")
-        if step.tick is not None:
+        if step.tick is not None and step.tick.key in ("left", "right"):
             for body in list(self.level.bodies) * step.tick.times:
                 if body.speed:
                     yield names[body.name], body.speed * self.level.tick * Direction[step.tick.key.upper()]
