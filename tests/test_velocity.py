@@ -1,5 +1,6 @@
 """Velocities: wrong rules are caught by name, ticks compose with movement, files and logs have velocities."""
 
+import json
 from dataclasses import replace
 from fractions import Fraction
 from functools import partial
@@ -23,8 +24,9 @@ from properties.evidence.mended import broken_in_plane
 from properties.slides import with_numbers
 from reference.formats.files import FormatError
 from reference.formats.level import LevelRecord, level_of, level_record
+from reference.itf import text
 from reference.play import LIBRARY, play
-from reference.recording import header_of, lines_of
+from reference.recording import header_of, lines_of, recording
 from reference.simulator import Game
 from reference.world import LevelError, World
 from spec.graph import Direction, Vertex, polyline
@@ -372,6 +374,13 @@ def trace(name, floats=False):
     """The records of the trace of a scenario of the library."""
     playing = play(LIBRARY / "scenarios" / f"{name}.json", floats)
     return [header_of(playing, floats), *lines_of(playing)]
+
+
+def test_velocities_are_in_the_traces_for_apalache(tmp_path):
+    shown = json.loads("".join(text(recording(LIBRARY / "scenarios" / "physics-brakes.json"))))
+    assert "velocities" in shown["vars"]
+    (name, value), _ = shown["states"][0]["velocities"]["#map"]
+    assert (name, value["num"]["#bigint"], value["den"]["#bigint"]) == ("Plain", "-1", "1")
 
 
 def report(tmp_path, records):
