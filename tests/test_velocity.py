@@ -415,6 +415,20 @@ def test_a_step_is_judged_from_the_velocities_of_the_log_itself(tmp_path):
     assert found.found[Finding.DIVERGES] == 2
 
 
+@pytest.mark.parametrize("profile", ["thesis", "thesis/mended-velocity", "repaired"])
+@pytest.mark.parametrize(("velocity", "minimum"), [("0.6", "0.3"), ("0.8", "0.2"), ("0.9", "0.3")])
+def test_in_floats_the_minimum_itself_may_be_missed(velocity, minimum, profile, tmp_path):
+    material = {"friction": "0.3", "gravity": "10", "slowest": minimum}
+    level = msgspec.to_builtins(record(velocity=velocity, material=material)) | {"tick": "0.1"}
+    scenario = {"format": "graphbody/scenario@1", "name": "minimum", "level": level, "profile": profile}
+    path = tmp_path / "minimum.json"
+    path.write_bytes(msgspec.json.encode(scenario | {"steps": [{"tick": {"key": "none", "times": 8}}]}))
+    playing = play(path, floats=True)
+    header, *lines = [header_of(playing, floats=True), *lines_of(playing)]
+    assert report(tmp_path, [header, *lines]).conforms
+    assert not report(tmp_path, [header, with_velocity(lines[0], 0.05), *lines[1:]]).conforms
+
+
 def test_a_log_without_velocities_is_refused_where_bodies_have_some(tmp_path):
     header, first = trace("physics-brakes")[:2]
     found = report(tmp_path, [header, with_velocity(first, None)])
