@@ -212,6 +212,16 @@ def test_the_slope_is_how_fast_the_mean_height_of_the_ground_changes(left):
     assert slope.run * slope.run + slope.rise * slope.rise <= 1
 
 
+def test_a_body_over_a_bump_has_the_slope_from_border_to_border_and_the_friction_under_both():
+    corners = [(0, 0), (2, 0), (4, Fraction(3, 2)), (6, Fraction(3, 2))]
+    graph = polyline([Vertex(Fraction(x), Fraction(y)) for x, y in corners])
+    edges = tuple(replace(edge, friction=Fraction(n)) for n, edge in enumerate(graph.edges))
+    body = replace(physics.box("A", 0, ONE, None), right=replace(physics.box("A", 2, ZERO, None).right, location=ONE))
+    level = replace(on_a_slope(any_material(), ZERO), graph=replace(graph, edges=edges), bodies=(body,))
+    width = Fraction(9, 2)
+    assert slope_under(World(level), 0) == Slope(4 / width, Fraction(3, 2) / width, ONE)
+
+
 def test_a_top_has_the_slope_of_the_ground_below_and_no_friction_of_its_own():
     level = on_a_slope(any_material(), ZERO)
     edges = tuple(replace(edge, friction=ONE / 2) for edge in level.graph.edges)
