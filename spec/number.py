@@ -2,7 +2,7 @@
 
 The same rules run on `fractions.Fraction` (exact), on `float` (as a game does) and on symbolic reals (as a
 proof does). They add, subtract, multiply by a direction and compare; a step also multiplies speeds by times, and
-divides distances by speeds that are not 0; a velocity is found with whole numbers too.
+divides distances by speeds that are not 0. Velocities are also added to, and divided by, whole numbers.
 """
 
 from __future__ import annotations

@@ -38,8 +38,8 @@ def slope_under(world: Grounds[N], body: int) -> Slope[N]:
         lowest, support = support, world.support(support)
     left, right = world.edges_under(lowest)
     width, (across, up) = world.width(lowest), world.extent(lowest)
-    one = left is right or bool((left.run == right.run) & (left.rise == right.rise))
-    slope = Slope(left.run, left.rise) if one else Slope(across / width, up / width)
+    on_one = left is right and bool(width <= left.length)
+    slope = Slope(left.run, left.rise) if on_one else Slope(across / width, up / width)
     return slope if lowest != body else replace(slope, friction=friction_under(left, right))
 
 

@@ -1,5 +1,6 @@
 """Velocities: wrong rules are caught by name, ticks compose with movement, files and logs have velocities."""
 
+import json
 from dataclasses import replace
 from fractions import Fraction
 from functools import partial
@@ -23,8 +24,9 @@ from properties.evidence.mended import broken_in_plane
 from properties.slides import with_numbers
 from reference.formats.files import FormatError
 from reference.formats.level import LevelRecord, level_of, level_record
+from reference.itf import text
 from reference.play import LIBRARY, play
-from reference.recording import header_of, lines_of
+from reference.recording import header_of, lines_of, recording
 from reference.simulator import Game
 from reference.world import LevelError, World
 from spec.graph import Direction, Vertex, polyline
@@ -210,6 +212,16 @@ def test_the_slope_is_how_fast_the_mean_height_of_the_ground_changes(left):
     assert slope.run * slope.run + slope.rise * slope.rise <= 1
 
 
+def test_a_body_over_a_bump_has_the_slope_from_border_to_border_and_the_friction_under_both():
+    corners = [(0, 0), (2, 0), (4, Fraction(3, 2)), (6, Fraction(3, 2))]
+    graph = polyline([Vertex(Fraction(x), Fraction(y)) for x, y in corners])
+    edges = tuple(replace(edge, friction=Fraction(n)) for n, edge in enumerate(graph.edges))
+    body = replace(physics.box("A", 0, ONE, None), right=replace(physics.box("A", 2, ZERO, None).right, location=ONE))
+    level = replace(on_a_slope(any_material(), ZERO), graph=replace(graph, edges=edges), bodies=(body,))
+    width = Fraction(9, 2)
+    assert slope_under(World(level), 0) == Slope(4 / width, Fraction(3, 2) / width, ONE)
+
+
 def test_a_top_has_the_slope_of_the_ground_below_and_no_friction_of_its_own():
     level = on_a_slope(any_material(), ZERO)
     edges = tuple(replace(edge, friction=ONE / 2) for edge in level.graph.edges)
@@ -374,6 +386,13 @@ def trace(name, floats=False):
     return [header_of(playing, floats), *lines_of(playing)]
 
 
+def test_velocities_are_in_the_traces_for_apalache(tmp_path):
+    shown = json.loads("".join(text(recording(LIBRARY / "scenarios" / "physics-brakes.json"))))
+    assert "velocities" in shown["vars"]
+    (name, value), _ = shown["states"][0]["velocities"]["#map"]
+    assert (name, value["num"]["#bigint"], value["den"]["#bigint"]) == ("Plain", "-1", "1")
+
+
 def report(tmp_path, records):
     """What the validator says of a trace of records."""
     path = tmp_path / "trace.jsonl"
@@ -404,6 +423,20 @@ def test_a_step_is_judged_from_the_velocities_of_the_log_itself(tmp_path):
     assert report(tmp_path, [header, first, second]).conforms
     found = report(tmp_path, [header, with_velocity(first, "-2"), second])
     assert found.found[Finding.DIVERGES] == 2
+
+
+@pytest.mark.parametrize("profile", ["thesis", "thesis/mended-velocity", "repaired"])
+@pytest.mark.parametrize(("velocity", "minimum"), [("0.6", "0.3"), ("0.8", "0.2"), ("0.9", "0.3")])
+def test_in_floats_the_minimum_itself_may_be_missed(velocity, minimum, profile, tmp_path):
+    material = {"friction": "0.3", "gravity": "10", "slowest": minimum}
+    level = msgspec.to_builtins(record(velocity=velocity, material=material)) | {"tick": "0.1"}
+    scenario = {"format": "graphbody/scenario@1", "name": "minimum", "level": level, "profile": profile}
+    path = tmp_path / "minimum.json"
+    path.write_bytes(msgspec.json.encode(scenario | {"steps": [{"tick": {"key": "none", "times": 8}}]}))
+    playing = play(path, floats=True)
+    header, *lines = [header_of(playing, floats=True), *lines_of(playing)]
+    assert report(tmp_path, [header, *lines]).conforms
+    assert not report(tmp_path, [header, with_velocity(lines[0], 0.05), *lines[1:]]).conforms
 
 
 def test_a_log_without_velocities_is_refused_where_bodies_have_some(tmp_path):

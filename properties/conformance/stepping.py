@@ -13,7 +13,7 @@ from typing import Any
 
 from properties.conformance.diagnosis import Trouble
 from properties.conformance.judge import Difference, Expected, Finding, Judgement, position_text
-from properties.conformance.log import Request, Step
+from properties.conformance.log import ZERO, Request, Step, minima_moved
 from properties.conformance.minimise import with_bodies, without_needless
 from properties.conformance.said import as_json, of_the_moves, of_the_velocities
 from properties.engine.ties import TIES, Choices, Near, Ties, TooManyWays, every_way, value_of
@@ -58,10 +58,14 @@ class Outcome:
 
 @dataclass(frozen=True)
 class OfSteps:
-    """Who judges steps in which bodies move all at once: the plan of a log's level, and the profile."""
+    """Who judges steps in which bodies move all at once: the plan of a log's level, and the profile.
+
+    `nearly` is how well velocities are known.
+    """
 
     plan: Plan[Fraction]
     profile: SteppedProfile
+    nearly: Fraction
 
     def asked(self, before: World[Fraction], line: LineRecord) -> tuple[Request, ...]:
         """How far each driven body would come if nothing were in its way."""
@@ -78,10 +82,19 @@ class OfSteps:
         return judgement, said
 
     def motions(self, before: World[Fraction], line: LineRecord) -> dict[int, Motion[Fraction]]:
-        """The motions with which bodies set off in a tick; in other steps none does."""
-        held = ((body, one.motion) for body, one in enumerate(before.bodies) if line.tick is not None)
-        rules = self.profile.velocity
-        return {body: set_off(rules, before, body, motion) for body, motion in held if motion is not None}
+        """The motions with which bodies set off in a tick; in other steps none does.
+
+        A velocity that is known nearly may be less than the minimum or not; then it is what the line says it is.
+        """
+        found: dict[int, Motion[Fraction]] = {}
+        told = {place.name: exact(place.velocity or 0, "$") for place in line.bodies}
+        for by in dict.fromkeys((ZERO, self.nearly, -self.nearly)) if line.tick is not None else ():
+            for body, held in enumerate(with_motions(before.level, minima_moved(before.bodies, by)).bodies):
+                if held.motion is not None:
+                    meant = set_off(self.profile.velocity, before, body, held.motion)
+                    if body not in found or abs(meant.velocity - told[held.name]) <= self.nearly:
+                        found[body] = meant
+        return found
 
     def driven(self, before: World[Fraction], line: LineRecord) -> Driven[Fraction]:
         """Who is driven how in a step, and for how long."""

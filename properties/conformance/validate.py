@@ -35,7 +35,7 @@ from reference.formats.trace import LineRecord
 from reference.plan import check_plan, plan_of
 from reference.recording import Recording, following, read_trace, state_after
 from reference.rounding import tolerance as rounding
-from reference.simulator import Endless
+from reference.simulator import Endless, Fulfilled
 from reference.world import LevelError, World
 from spec.body import Level
 from spec.graph import Direction, EdgeType
@@ -131,10 +131,11 @@ def referee_of(log: Recording) -> Referee:
     Raises:
         LevelError: if the level is not one that the profile is about.
     """
+    nearly = tolerance_of(log.header, log.level, ()) / log.level.tick
     if isinstance(log.profile, Profile):
-        return OfRequests(log.level, log.profile)
+        return OfRequests(log.level, log.profile, nearly)
     check_plan(log.level)
-    return OfSteps(plan_of(log.level), log.profile)
+    return OfSteps(plan_of(log.level), log.profile, nearly)
 
 
 def referee_after(log: Recording, referee: OfSteps) -> OfSteps:
@@ -190,14 +191,15 @@ class Referee(Protocol):
 
 @dataclass(frozen=True)
 class OfRequests:
-    """Who judges steps in which bodies move one after another."""
+    """Who judges steps in which bodies move one after another; `nearly` is how well velocities are known."""
 
     level: Level[Fraction]
     profile: Profile
+    nearly: Fraction
 
     def asked(self, before: World[Fraction], line: LineRecord) -> tuple[Request, ...]:
         """The requests of a line, in order."""
-        return requests_of(before, self.profile, line)
+        return requests_of(before, self.profile, line, self.nearly)
 
     def judge(self, step: Step, tolerance: Fraction) -> tuple[Judgement, list[Difference]]:
         """Where the bodies are, and what the line says of its requests; of rules where they are known."""
@@ -212,7 +214,9 @@ class OfRequests:
 
     def of_velocities(self, step: Step, tolerance: Fraction, rules_known: bool) -> Iterator[Difference]:
         """What the line says of velocities, which change in ticks only; of their rules too, if these are known."""
-        turns, world = ([], step.before) if step.line.tick is None else rolled(step.before, self.profile, step.line)
+        turns, world = list[Fulfilled[Fraction]](), step.before
+        if step.line.tick is not None:
+            turns, world = rolled(step.before, self.profile, step.line, self.nearly)
         yield from of_the_velocities(step.after, world.bodies, tolerance)
         yield from of_the_rolls(step.line, turns) if rules_known else ()
 
