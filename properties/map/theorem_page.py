@@ -287,6 +287,8 @@ ABOUT = """\
   than the last, or joined to it. Where three bodies are spoken of: three of one width on one or two grounds no shorter.
 - Where G2 is not kept: drops, steps and pits of half or twice a body height, or with slanted fall edges. Where G3 is
   not kept: a drop onto a slope. Where G5 is not kept: a floor one body height above three joined grounds.
+- All bodies are of one height. Where G2 is kept and anything can be fallen from, they are anyhow, so that G1 is about
+  widths.
 
 The first body is asked to move to the right by any distance, and moves what is in its way. It, or what carries it,
 stands on the leftmost ground or on the floor above. To the left all is alike: rules see a world only in the direction

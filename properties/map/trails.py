@@ -77,11 +77,11 @@ def request_in(shape: Shape, catalogue: bool, starts: Starts, profile: Profile, 
     if not start:
         start.update({PLANE_START.id: PLANE_START.holds(world, asked), **at_start(world, asked)})
     given.assume(start[PLANE_START.id], PLANE_START.id)
+    for name in NAMES:
+        given.ensure(name, start[name])
     deed, record = do(profile, world, MOVER, RIGHT, asked, asked * 0)
     for _, rule in record.fired:
         given.saw(rule)
-    for name in NAMES:
-        given.ensure(name, start[name])
     for invariant in judged_in(shape):
         given.ensure(invariant.id, invariant.holds(deed))
     if catalogue:
