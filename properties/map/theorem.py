@@ -97,26 +97,27 @@ def surveyed(profile: Profile, mends: Sequence[Mend], domain: Callable[[], list[
         "shapes": len(shapes),
         "trails": len(found),
         "falling": falling(found),
-        "smallest": told(first_within(found), rules, profile, f"{name}-smallest"),
-        "broken": told(broken, rules, profile, name),
+        "smallest": told(first_within(found), profile, mends, f"{name}-smallest"),
+        "broken": told(broken, profile, mends, name),
     }
 
 
-def told(found: Sequence[Breach], rules: Profile, profile: Profile, name: str) -> list[Finding]:
+def told(found: Sequence[Breach], profile: Profile, mends: Sequence[Mend], name: str) -> list[Finding]:
     """Breaches as data, each with a scenario that has been replayed on exact numbers."""
-    return [breach_told(breach, rules, profile, f"{name}-{number}") for number, breach in enumerate(found, start=1)]
+    return [breach_told(breach, profile, mends, f"{name}-{number}") for number, breach in enumerate(found, start=1)]
 
 
-def breach_told(breach: Breach, rules: Profile, profile: Profile, name: str) -> Finding:
+def breach_told(breach: Breach, profile: Profile, mends: Sequence[Mend], name: str) -> Finding:
     """What is broken, what is kept, and the scenario."""
-    values = witness(breach)
+    values, rules = witness(breach), mended(profile, mends)
     replayed(breach, values, rules)
     level, asked = any_level(Exact(values), breach.trail.shape)
     kept, _ = facts(World(level), asked, rules)
+    under = f" under {', '.join(mend.id for mend in mends)}; a file is played by the rules as printed" if mends else ""
     scenario = ScenarioRecord(
         format="graphbody/scenario@1",
         name=name,
-        note=f"A witness of {breach.invariant}. It keeps {', '.join(kept) or 'no condition'}.",
+        note=f"A witness against {breach.invariant}{under}. It keeps {', '.join(kept) or 'no condition'}.",
         level=level_record(level, name),
         profile=profile.name,
         steps=[step_record((level.bodies[MOVER].name, asked))],
@@ -136,7 +137,7 @@ def catalogued(profile: Profile, name: str) -> Finding:
     """What is broken within the guidelines though nothing happened that a catalogue of cases has."""
     found = [trail for shape in three_at_a_drop() for trail in trails(shape, profile, catalogue=True)]
     missed = [breach for catalogue in CATALOGUES for breach in first_uncatalogued(found, catalogue)]
-    return {"profile": profile.name, "mends": [], "trails": len(found), "broken": told(missed, profile, profile, name)}
+    return {"profile": profile.name, "mends": [], "trails": len(found), "broken": told(missed, profile, (), name)}
 
 
 def sets_of_mends() -> Iterator[tuple[Mend, ...]]:

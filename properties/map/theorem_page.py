@@ -319,7 +319,9 @@ MENDED = """\
 ### What mended rules spare
 
 Chapter 6.2.2 names changes of the rules; here are the ones that change one decision of `thesis`. Each set of them was
-explored with one or two bodies at a drop and at a pit, and three at a drop.""".splitlines()
+explored with one or two bodies of one width at a drop and at a pit of long grounds, and three at a drop; with
+`landing-in-place` with no more than two. Files and pictures are played by the rules as printed, and `make check` plays
+these witnesses by the mended ones.""".splitlines()
 
 CATALOGUE = """\
 ### Is the catalogue of unsupported cases complete?
