@@ -28,7 +28,7 @@ STATIC = frozenset(GUIDELINE_IDS)
 BODIES: dict[str, Names] = {
     "one body": frozenset((ALONE.id, TWO_AT_MOST.id)),
     "two bodies": frozenset((TWO_AT_MOST.id,)),
-    "three bodies": frozenset(),
+    "up to three": frozenset(),
 }
 CAREFUL = frozenset(one.id for one in (SHORT_REQUESTS, NOBODY_RIDES, LEDGES_CLEAR))
 BOTH = (THESIS, OVERSHOOT)
@@ -128,7 +128,7 @@ def without_each(findings: Findings) -> Told:
     lines: list[str] = []
     used: list[Finding] = []
     for profile in BOTH:
-        for text, more in (("one body", BODIES["one body"]), (f"any number of bodies, and {listed(CAREFUL)}", CAREFUL)):
+        for text, more in (("one body", BODIES["one body"]), (f"up to three bodies, and {listed(CAREFUL)}", CAREFUL)):
             told, witnesses = needed(findings, profile, more)
             lines += [f"- `{profile.name}`, {text}:", *told]
             used += witnesses
@@ -198,9 +198,11 @@ def at_most(finding: Finding, chosen: Names) -> Names:
 def with_mends(findings: Findings) -> Told:
     """What is needed beyond the guidelines, under each set of mends, and what is broken at most."""
     surveys = of_mends(findings)
-    rows = [[listed(one)] for one in mends_in_lattice(findings)]
+    enough = mends_in_lattice(findings)
+    idle = {mend.id for mend in MENDS} - frozenset().union(*enough)
     lines = ["Within G1 to G5 these conditions and mends suffice together, and none can be left out:", ""]
-    lines += [*table(["minimal sufficient sets of conditions and mends"], rows), ""]
+    lines += [*table(["minimal sufficient sets of conditions and mends"], [[listed(one)] for one in enough]), ""]
+    lines += [f"In none of them: {listed(idle)}.", ""]
     lines += ["These do not suffice, however much is kept of the rest:", ""]
     broken, used = [], []
     universe = frozenset((*NAMES, *(mend.id for mend in MENDS)))
