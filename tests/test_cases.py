@@ -1,5 +1,6 @@
 """Unsupported cases and errata: each predicate is true of a witness and false of a near miss."""
 
+import re
 from dataclasses import replace
 from fractions import Fraction
 
@@ -13,7 +14,7 @@ from properties.evidence.deeds import do
 from properties.evidence.mended import OUTSIDE, SHOWN
 from properties.explain import everything, explain, find, of_row
 from properties.given import Exact
-from properties.map import case_search as searching, errata as errata_page
+from properties.map import case_search as searching, cases as cases_page, errata as errata_page
 from properties.map.case_search import ALL, RANK, Search, Witness, as_json, best, from_json
 from properties.map.cases import preventing, that_keeps
 from properties.map.replay import Replay
@@ -259,3 +260,28 @@ def test_a_rule_at_fault_is_one_that_fired_for_the_body():
 
 def test_landings_that_overshoot_do_not_fit_long_edges():
     assert explore(lambda given: long_edges_fit(OVERSHOOT.rules, given)).counterexample is not None
+
+
+@pytest.fixture
+def findings(monkeypatch):
+    """What is found in one shape alone, under both readings of the landing."""
+    alone = {"steps": lambda: [LEDGE]}
+    for module in (cases_page, searching):
+        monkeypatch.setattr(module, "GROUPS", alone)
+    return {name: job() for name, job in cases_page.PART.jobs().items()}
+
+
+def test_the_page_links_to_witnesses_that_run_into_their_cases(findings):
+    text = "\n".join(cases_page.PART.section(findings))
+    documents = cases_page.PART.witnesses(findings)
+    assert set(re.findall(r"map/witnesses/([\w-]+)\.json", text)) == documents.keys()
+    assert all(f"### {case.id}" in text for case in CASES)
+    assert "unsupported/lands-near" in Replay.of(documents["lands-near-G1G2G3G4G5"]).cases
+    assert list(cases_page.PART.broken(findings)) == []
+    assert msgspec.json.decode(msgspec.json.encode(findings)) == findings
+
+
+def test_a_witness_that_runs_into_nothing_is_told(findings):
+    for one in findings["thesis, steps"]["cases"]["unsupported/lands-near"]:
+        one["scenario"]["steps"][0]["request"]["distance"] = "1"
+    assert any("expected unsupported/lands-near to happen" in line for line in cases_page.PART.broken(findings))

@@ -11,8 +11,8 @@ from spec.profiles import OVERSHOOT, THESIS
 
 ABOUT = "reading/horizontal-distance"
 EXACT = (
-    "On level ground at the foot of a vertical fall edge, a body falls just where the landing is in no other body: the "
-    "test of jump edges is exact but for the margin."
+    "On level ground at the foot of a vertical fall edge, a body falls only where the landing is in no other body, and "
+    "jumps onto one there only where it would have fallen into it: the test of jump edges is exact but for the margin."
 )
 
 

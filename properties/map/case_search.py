@@ -136,7 +136,9 @@ class Search:
             steps=[step_record((level.bodies[MOVER].name, asked))],
         )
         simple = max(number.denominator for number in numbers), sum(numbers, Fraction(0))
-        return Witness(shape.size, simple, frozenset(kept_by(World(level))), msgspec.to_builtins(record))
+        return Witness(
+            shape.size, simple, frozenset(kept_by(World(level))), msgspec.json.decode(msgspec.json.encode(record))
+        )
 
 
 def keepable(place: Place) -> Iterator[frozenset[str]]:

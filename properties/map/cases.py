@@ -11,10 +11,11 @@ from properties.map.case_search import ALL, BY_ID, GROUPS, RANK, Witness, best, 
 from properties.map.linking import claim_link
 from properties.map.part import Finding, Findings, Part
 from properties.map.replay import Replay
+from reference.world import World
 from spec.case import Case
 from spec.profiles import OVERSHOOT, THESIS, Profile
 from spec.registry import statements
-from spec.unsupported import CASES, OF_CHANGES, OF_LEVELS, PRINTED, ChangeCase, LevelCase
+from spec.unsupported import CASES, OF_CHANGES, OF_LEVELS, PRINTED, LevelCase
 
 BOTH = (THESIS, OVERSHOOT)
 PROOFS = {(THESIS.name, "unsupported/landing-does-not-fit"): f", {claim_link('claim/long-edges-fit')}"}
@@ -98,7 +99,7 @@ def section(findings: Findings) -> list[str]:
     return [
         *introduction(findings),
         *(line for profile in BOTH for line in matrix(profile, known[profile.name])),
-        *of_levels(),
+        *of_levels(known),
         *(line for case in CASES for line in entry(case, known)),
     ]
 
@@ -109,7 +110,7 @@ def introduction(findings: Findings) -> list[str]:
     shapes, paths = (sum(one[what] for one in found) for what in ("shapes", "paths"))
     lists = [
         f"- *{group}*: {(GROUPS[group].__doc__ or '').partition('.')[0].lower()} "
-        f"({findings[f'{THESIS.name}, {group}']['shapes']} shapes)"
+        f"({counted(findings[f'{THESIS.name}, {group}']['shapes'], 'shapes')})"
         for group in GROUPS
     ]
     strays = list(uncatalogued(findings))
@@ -174,11 +175,20 @@ def preventing(found: Sequence[Witness]) -> str:
     return " or ".join(ranks) or ("never happens" if not found else "none")
 
 
-def of_levels() -> list[str]:
-    """What is said of the cases that no request runs into."""
-    others: tuple[LevelCase | ChangeCase, ...] = (*OF_LEVELS, *OF_CHANGES)
-    lines = [f"- `{one.id}` ({one.source}): {one.sentence}" for one in others]
-    return ["", "### Cases that no request runs into", "", *lines]
+def of_levels(known: Chart) -> list[str]:
+    """What is said of the cases that no request runs into; of a level, with the smallest witness whose level is one."""
+    lines = ["", "### Cases that no request runs into", ""]
+    lines += [f"- `{one.id}` ({one.source}): {one.sentence}{seen_in(one, known)}" for one in OF_LEVELS]
+    return [*lines, *(f"- `{one.id}` ({one.source}): {one.sentence}" for one in OF_CHANGES)]
+
+
+def seen_in(level_case: LevelCase, known: Chart) -> str:
+    """The smallest witness on the page whose level is of an unsupported kind, if there is one."""
+    shown_here = [(one, case) for by_case in known.values() for case, found in by_case.items() for one in shown(found)]
+    for one, case in sorted(shown_here, key=lambda pair: pair[0].rank):
+        if level_case.found(World(Replay.of(one.scenario).level)):
+            return f" One is the level of [{name_of(one, case)}](map/witnesses/{name_of(one, case)}.json)."
+    return ""
 
 
 def entry(case: Case, known: Chart) -> list[str]:
@@ -212,7 +222,11 @@ def told(case: Case, one: Witness) -> list[str]:
 
 def counted(number: int, things: str) -> str:
     """A number of things."""
-    return f"{number} {things}" if number > 1 else {"bodies": "one body", "grounds": "one ground"}[things]
+    return (
+        f"{number} {things}"
+        if number > 1
+        else {"bodies": "one body", "grounds": "one ground", "shapes": "one shape"}[things]
+    )
 
 
 def broken(findings: Findings) -> Iterator[str]:

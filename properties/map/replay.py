@@ -135,7 +135,7 @@ class Replay:
         """The rule by which the first request that does runs into a case."""
         return next(done.fault(case) for done in self.done if case.id in done.cases)
 
-    @property
+    @cached_property
     def mended(self) -> str:
         """What becomes of it under the repaired rules: kept, or why its level is none of storeys, or what is broken."""
         try:
