@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 
-from properties.claims.enough import CLAIMS
+from properties.claims.enough import CLAIMS, ENOUGH
 from properties.map.linking import claim_link
 from properties.map.part import Finding, Findings
-from properties.map.sets import Names, maximal, minimal, sufficient
+from properties.map.sets import Names, maximal, minimal, suffices, sufficient
 from properties.map.trails import CATALOGUES, CONDITIONS, GUIDELINE_IDS, NAMES
 from spec.conditions import (
     ALONE,
@@ -118,7 +118,9 @@ def needed(findings: Findings, profile: Profile, more: Names) -> Told:
         found = [(one, against(entries, (STATIC - {guideline}) | more, one)) for one in held]
         broken = [(one, witness) for one, witness in found if witness is not None]
         lost = ", ".join(link(witness, one.split("/", 1)[1]) for one, witness in broken)
-        lines.append(f"  - {CODES[guideline]} {f'is needed for {lost}' if broken else 'adds nothing (bounded)'}")
+        limit = "one body" if ALONE.id in more else "two bodies"
+        nothing = f"adds nothing (bounded to {limit})"
+        lines.append(f"  - {CODES[guideline]} {f'is needed for {lost}' if broken else nothing}")
         used += [witness for _, witness in broken]
     return lines, used
 
@@ -201,7 +203,8 @@ def with_mends(findings: Findings) -> Told:
     enough = mends_in_lattice(findings)
     idle = {mend.id for mend in MENDS} - frozenset().union(*enough)
     lines = ["Within G1 to G5 these conditions and mends suffice together, and none can be left out:", ""]
-    lines += [*table(["minimal sufficient sets of conditions and mends"], [[listed(one)] for one in enough]), ""]
+    rows = [[listed(one), undone_by(one, surveys)] for one in enough]
+    lines += [*table(["minimal sufficient sets of conditions and mends", "does not suffice with also"], rows), ""]
     lines += [f"In none of them: {listed(idle)}.", ""]
     lines += ["These do not suffice, however much is kept of the rest:", ""]
     broken, used = [], []
@@ -213,6 +216,17 @@ def with_mends(findings: Findings) -> Told:
             broken.append([listed(universe - one), name(witness["invariant"]), link(witness, "witness")])
             used.append(witness)
     return [*lines, *table(["all but", "breaks", ""], broken)], used
+
+
+def undone_by(chosen: Names, surveys: Sequence[tuple[Names, Finding]]) -> str:
+    """The fewest mends more under which a sufficient set does not suffice."""
+    own = mends_of(chosen)
+    more = [
+        mends - own
+        for mends, finding in surveys
+        if own < mends and not suffices(chosen - own, insufficient(all_broken(finding)))
+    ]
+    return "; or ".join(listed(one) for one in minimal(more)) or "no mend undoes it"
 
 
 def mends_of(names: Names) -> Names:
@@ -256,7 +270,10 @@ def claimed() -> list[str]:
     """The claims that say the same of the scenes of the hunts, and what is proved for any number of bodies."""
     links = ", ".join(claim_link(claim.id) for claim in CLAIMS)
     fits = claim_link("claim/long-edges-fit")
-    return [f"That they suffice together is also claimed: {links}. For any number of bodies: {fits}."]
+    return [
+        f"That the guidelines suffice with {listed(one.id for one in ENOUGH)} is claimed too, of the scenes of the "
+        f"hunts: {links}. That landings fit within the guidelines holds of any number of bodies: {fits}."
+    ]
 
 
 def sections(findings: Findings) -> list[tuple[list[str], Told]]:
