@@ -11,7 +11,7 @@ from properties.map.sets import maximal, minimal, suffices, sufficient
 from properties.map.terrains import ONE, ZERO, Shape, in_guidelines, of_three, with_platforms, with_tilted_landings
 from properties.map.theorem import DROP, PART, PIT, contradicted, surveyed, two_at_a_drop
 from properties.map.theorem_page import bound
-from properties.map.trails import GUIDELINE_IDS, NAMES, trails
+from properties.map.trails import CATALOGUES, GUIDELINE_IDS, NAMES, first_uncatalogued, trails
 from properties.worlds.scenes import Stand
 from spec.conditions import ALONE, LEDGES_CLEAR, ROOMY_GROUNDS, SHORT_REQUESTS, TWO_AT_MOST
 from spec.mends import LOOK_AT_LANDING, MARGIN_IN_JUMP_TEST, Mend, landing, mended
@@ -133,3 +133,10 @@ def test_a_set_of_conditions_is_bounded_to_the_bodies_for_which_it_was_looked_at
     assert bound(frozenset(guidelines)) == "3"
     assert bound(frozenset({*guidelines, TWO_AT_MOST.id})) == "2"
     assert bound(frozenset(guidelines - {"guideline/uniform-size"})).startswith("2;")
+
+
+def test_what_no_case_tells_is_missed_in_the_catalogue(monkeypatch):
+    monkeypatch.setitem(CATALOGUES, "nothing at all", ())
+    found = trails([BELOW_A_DROP], THESIS, catalogue=True)
+    assert {one.promise for one in first_uncatalogued(found, "nothing at all")} == {PLANE_MARGIN.id, HORIZONTAL.id}
+    assert first_uncatalogued(found, "no case happened but U9") == []
