@@ -129,7 +129,7 @@ MENDS: tuple[Mend, ...] = (MARGIN_IN_JUMP_TEST, ANY_THAT_LEADS_UP, LOOK_AT_LANDI
 
 
 def mended(profile: Profile, mends: Iterable[Mend]) -> Profile:
-    """A profile under some mends."""
+    """A profile under some mends, made one after another: `MENDS` is an order in which none undoes another."""
     rules = profile.rules
     for mend in mends:
         rules = mend.mended(rules)

@@ -6,11 +6,12 @@ from random import Random
 
 import pytest
 
+from properties.engine.survey import breaches, firsts
 from properties.map.sets import maximal, minimal, suffices, sufficient
 from properties.map.terrains import ONE, ZERO, Shape, in_guidelines, of_three, with_platforms, with_tilted_landings
 from properties.map.theorem import DROP, PART, PIT, contradicted, surveyed, two_at_a_drop
 from properties.map.theorem_page import bound
-from properties.map.trails import NAMES, breaches, first_within, firsts, trails
+from properties.map.trails import CATALOGUES, GUIDELINE_IDS, NAMES, first_uncatalogued, trails
 from properties.worlds.scenes import Stand
 from spec.conditions import ALONE, LEDGES_CLEAR, ROOMY_GROUNDS, SHORT_REQUESTS, TWO_AT_MOST
 from spec.mends import LOOK_AT_LANDING, MARGIN_IN_JUMP_TEST, Mend, landing, mended
@@ -41,7 +42,7 @@ def test_nothing_suffices_where_all_do_not_and_nothing_is_needed_where_nothing_i
 
 
 def test_the_breaches_of_a_shape_are_those_of_brute_force():
-    found = trails(BELOW_A_DROP, THESIS)
+    found = trails([BELOW_A_DROP], THESIS)
     names = (ALONE.id, LEDGES_CLEAR.id, SHORT_REQUESTS.id, ROOMY_GROUNDS.id)
     known = [one.conditions for one in breaches(found, names)[PLANE_MARGIN.id]]
     compatible = [one for one in all_sets(names) if breached(found, one)]
@@ -49,11 +50,7 @@ def test_the_breaches_of_a_shape_are_those_of_brute_force():
 
 
 def breached(found, names):
-    return any(one.invariant == PLANE_MARGIN.id for one in breaches_with(found, names))
-
-
-def breaches_with(found, names):
-    return firsts(found, tuple(names))
+    return any(one.promise == PLANE_MARGIN.id for one in firsts(found, tuple(names)))
 
 
 def test_a_known_defect_is_found_and_replays():
@@ -72,9 +69,9 @@ def test_a_witness_that_does_not_hold_is_told():
 
 
 def test_a_mend_removes_what_it_is_for_and_the_margin_is_kept_below_a_drop():
-    assert PLANE_MARGIN.id in breaches(trails(BELOW_A_DROP, THESIS))
+    assert PLANE_MARGIN.id in breaches(trails([BELOW_A_DROP], THESIS), NAMES)
     for mend in (MARGIN_IN_JUMP_TEST, LOOK_AT_LANDING):
-        assert PLANE_MARGIN.id not in breaches(trails(BELOW_A_DROP, mended(THESIS, [mend])))
+        assert PLANE_MARGIN.id not in breaches(trails([BELOW_A_DROP], mended(THESIS, [mend])), NAMES)
 
 
 def test_a_wrong_mend_is_noticed():
@@ -82,28 +79,29 @@ def test_a_wrong_mend_is_noticed():
         return leaving.view.along(near_end, leaving.moved)
 
     wrong = Mend("mend/wrong", "A body lands as far on as it has moved.", "6.2.1d; A15", landing(beyond))
-    found = breaches(trails(ALONE_AT_A_PIT, mended(THESIS, [wrong])))
+    found = breaches(trails([ALONE_AT_A_PIT], mended(THESIS, [wrong])), NAMES)
     assert TERRAIN.id in found
-    assert TERRAIN.id not in breaches(trails(ALONE_AT_A_PIT, THESIS))
+    assert TERRAIN.id not in breaches(trails([ALONE_AT_A_PIT], THESIS), NAMES)
 
 
 def test_overshoot_enters_the_far_wall_of_a_pit_and_short_requests_with_roomy_grounds_prevent_it():
-    known = [one.conditions for one in breaches(trails(ALONE_AT_A_PIT, OVERSHOOT))[TERRAIN.id]]
+    known = [one.conditions for one in breaches(trails([ALONE_AT_A_PIT], OVERSHOOT), NAMES)[TERRAIN.id]]
     assert not suffices({*NAMES} - {SHORT_REQUESTS.id}, known)
     assert not suffices({*NAMES} - {ROOMY_GROUNDS.id}, known)
     assert suffices({SHORT_REQUESTS.id, ROOMY_GROUNDS.id}, known)
 
 
 def test_the_smallest_witness_within_the_guidelines_has_two_bodies():
-    found = first_within([trail for shape in two_at_a_drop() for trail in trails(shape, THESIS)])
-    sizes = {one.invariant: len(one.trail.shape.stands) for one in found}
+    shapes = two_at_a_drop()
+    found = firsts(trails(shapes, THESIS), GUIDELINE_IDS)
+    sizes = {one.promise: len(shapes[one.trail.place].stands) for one in found}
     assert sizes[HORIZONTAL.id] == sizes[PLANE_MARGIN.id] == 2
     assert TERRAIN.id not in sizes
 
 
 def test_a_platform_hides_who_walks_under_it_and_breaks_only_the_single_layer():
     tunnel = next(shape for shape in with_platforms(1) if shape.platform)
-    (breach,) = breaches(trails(tunnel, THESIS))[TERRAIN.id]
+    (breach,) = breaches(trails([tunnel], THESIS), NAMES)[TERRAIN.id]
     assert {*NAMES} - breach.conditions == {"guideline/single-layer"}
 
 
@@ -135,3 +133,10 @@ def test_a_set_of_conditions_is_bounded_to_the_bodies_for_which_it_was_looked_at
     assert bound(frozenset(guidelines)) == "3"
     assert bound(frozenset({*guidelines, TWO_AT_MOST.id})) == "2"
     assert bound(frozenset(guidelines - {"guideline/uniform-size"})).startswith("2;")
+
+
+def test_what_no_case_tells_is_missed_in_the_catalogue(monkeypatch):
+    monkeypatch.setitem(CATALOGUES, "nothing at all", ())
+    found = trails([BELOW_A_DROP], THESIS, catalogue=True)
+    assert {one.promise for one in first_uncatalogued(found, "nothing at all")} == {PLANE_MARGIN.id, HORIZONTAL.id}
+    assert first_uncatalogued(found, "no case happened but U9") == []

@@ -2,8 +2,8 @@
 
 Which sets of conditions do not suffice is closed downward. So it is known by its maximal members, and a set suffices
 exactly if it has a member outside each of them: the minimal such sets are the minimal hitting sets of what these leave
-out (Reiter 1987). The maximal ones are found as MARCO finds them (Liffiton et al. 2016), in `trails`: a seed that is
-not yet explained, grown as far as it goes.
+out (Reiter 1987). The maximal ones are found as MARCO finds them (Liffiton et al. 2016), in
+`properties.engine.survey`.
 """
 
 from __future__ import annotations

@@ -10,6 +10,7 @@ from typing import Any
 
 import msgspec
 
+from properties.engine.survey import Breach, breaches, firsts
 from properties.evidence.deeds import do
 from properties.evidence.witness import step_record
 from properties.given import Exact
@@ -32,15 +33,13 @@ from properties.map.terrains import (
 from properties.map.theorem_page import section, shown
 from properties.map.trails import (
     CATALOGUES,
-    Breach,
+    GUIDELINE_IDS,
+    NAMES,
     at_start,
-    breaches,
     falling,
     first_uncatalogued,
-    first_within,
     replayed,
     trails,
-    witness,
 )
 from reference.formats.level import level_record, valid_level
 from reference.formats.numbers import exact
@@ -88,8 +87,8 @@ DOMAINS: dict[str, Callable[[], list[Shape]]] = {
 def surveyed(profile: Profile, mends: Sequence[Mend], domain: Callable[[], list[Shape]], name: str) -> Finding:
     """What can be broken in a domain, with which conditions at most, and the smallest witness within the guidelines."""
     rules, shapes = mended(profile, mends), domain()
-    found = [trail for shape in shapes for trail in trails(shape, rules)]
-    broken = [breach for known in breaches(found).values() for breach in known]
+    found = trails(shapes, rules)
+    broken = [breach for known in breaches(found, NAMES).values() for breach in known]
     return {
         "profile": profile.name,
         "mends": [mend.id for mend in mends],
@@ -97,32 +96,38 @@ def surveyed(profile: Profile, mends: Sequence[Mend], domain: Callable[[], list[
         "shapes": len(shapes),
         "trails": len(found),
         "falling": falling(found),
-        "smallest": told(first_within(found), rules, profile, f"{name}-smallest"),
-        "broken": told(broken, rules, profile, name),
+        "smallest": told(firsts(found, GUIDELINE_IDS), shapes, profile, mends, f"{name}-smallest"),
+        "broken": told(broken, shapes, profile, mends, name),
     }
 
 
-def told(found: Sequence[Breach], rules: Profile, profile: Profile, name: str) -> list[Finding]:
+def told(
+    found: Sequence[Breach], shapes: Sequence[Shape], profile: Profile, mends: Sequence[Mend], name: str
+) -> list[Finding]:
     """Breaches as data, each with a scenario that has been replayed on exact numbers."""
-    return [breach_told(breach, rules, profile, f"{name}-{number}") for number, breach in enumerate(found, start=1)]
+    return [
+        breach_told(breach, shapes[breach.trail.place], profile, mends, f"{name}-{number}")
+        for number, breach in enumerate(found, start=1)
+    ]
 
 
-def breach_told(breach: Breach, rules: Profile, profile: Profile, name: str) -> Finding:
+def breach_told(breach: Breach, shape: Shape, profile: Profile, mends: Sequence[Mend], name: str) -> Finding:
     """What is broken, what is kept, and the scenario."""
-    values = witness(breach)
-    replayed(breach, values, rules)
-    level, asked = any_level(Exact(values), breach.trail.shape)
+    values, rules = breach.values(), mended(profile, mends)
+    replayed(breach, shape, values, rules)
+    level, asked = any_level(Exact(values), shape)
     kept, _ = facts(World(level), asked, rules)
+    under = f" under {', '.join(mend.id for mend in mends)}; a file is played by the rules as printed" if mends else ""
     scenario = ScenarioRecord(
         format="graphbody/scenario@1",
         name=name,
-        note=f"A witness of {breach.invariant}. It keeps {', '.join(kept) or 'no condition'}.",
+        note=f"A witness against {breach.promise}{under}. It keeps {', '.join(kept) or 'no condition'}.",
         level=level_record(level, name),
         profile=profile.name,
         steps=[step_record((level.bodies[MOVER].name, asked))],
     )
     conditions = sorted(breach.conditions)
-    return {"invariant": breach.invariant, "conditions": conditions, "scenario": msgspec.to_builtins(scenario)}
+    return {"invariant": breach.promise, "conditions": conditions, "scenario": msgspec.to_builtins(scenario)}
 
 
 def facts(world: World[Fraction], asked: Fraction, rules: Profile) -> tuple[list[str], set[str]]:
@@ -134,9 +139,15 @@ def facts(world: World[Fraction], asked: Fraction, rules: Profile) -> tuple[list
 
 def catalogued(profile: Profile, name: str) -> Finding:
     """What is broken within the guidelines though nothing happened that a catalogue of cases has."""
-    found = [trail for shape in three_at_a_drop() for trail in trails(shape, profile, catalogue=True)]
+    shapes = three_at_a_drop()
+    found = trails(shapes, profile, catalogue=True)
     missed = [breach for catalogue in CATALOGUES for breach in first_uncatalogued(found, catalogue)]
-    return {"profile": profile.name, "mends": [], "trails": len(found), "broken": told(missed, profile, profile, name)}
+    return {
+        "profile": profile.name,
+        "mends": [],
+        "trails": len(found),
+        "broken": told(missed, shapes, profile, (), name),
+    }
 
 
 def sets_of_mends() -> Iterator[tuple[Mend, ...]]:

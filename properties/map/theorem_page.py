@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 
-from properties.claims.enough import CLAIMS
+from properties.claims.enough import CLAIMS, ENOUGH
 from properties.map.linking import claim_link
 from properties.map.part import Finding, Findings
-from properties.map.sets import Names, maximal, minimal, sufficient
+from properties.map.sets import Names, maximal, minimal, suffices, sufficient
 from properties.map.trails import CATALOGUES, CONDITIONS, GUIDELINE_IDS, NAMES
 from spec.conditions import (
     ALONE,
@@ -28,7 +28,7 @@ STATIC = frozenset(GUIDELINE_IDS)
 BODIES: dict[str, Names] = {
     "one body": frozenset((ALONE.id, TWO_AT_MOST.id)),
     "two bodies": frozenset((TWO_AT_MOST.id,)),
-    "three bodies": frozenset(),
+    "up to three": frozenset(),
 }
 CAREFUL = frozenset(one.id for one in (SHORT_REQUESTS, NOBODY_RIDES, LEDGES_CLEAR))
 BOTH = (THESIS, OVERSHOOT)
@@ -118,7 +118,9 @@ def needed(findings: Findings, profile: Profile, more: Names) -> Told:
         found = [(one, against(entries, (STATIC - {guideline}) | more, one)) for one in held]
         broken = [(one, witness) for one, witness in found if witness is not None]
         lost = ", ".join(link(witness, one.split("/", 1)[1]) for one, witness in broken)
-        lines.append(f"  - {CODES[guideline]} {f'is needed for {lost}' if broken else 'adds nothing (bounded)'}")
+        limit = "one body" if ALONE.id in more else "two bodies"
+        nothing = f"adds nothing (bounded to {limit})"
+        lines.append(f"  - {CODES[guideline]} {f'is needed for {lost}' if broken else nothing}")
         used += [witness for _, witness in broken]
     return lines, used
 
@@ -128,7 +130,7 @@ def without_each(findings: Findings) -> Told:
     lines: list[str] = []
     used: list[Finding] = []
     for profile in BOTH:
-        for text, more in (("one body", BODIES["one body"]), (f"any number of bodies, and {listed(CAREFUL)}", CAREFUL)):
+        for text, more in (("one body", BODIES["one body"]), (f"up to three bodies, and {listed(CAREFUL)}", CAREFUL)):
             told, witnesses = needed(findings, profile, more)
             lines += [f"- `{profile.name}`, {text}:", *told]
             used += witnesses
@@ -198,9 +200,12 @@ def at_most(finding: Finding, chosen: Names) -> Names:
 def with_mends(findings: Findings) -> Told:
     """What is needed beyond the guidelines, under each set of mends, and what is broken at most."""
     surveys = of_mends(findings)
-    rows = [[listed(one)] for one in mends_in_lattice(findings)]
+    enough = mends_in_lattice(findings)
+    idle = {mend.id for mend in MENDS} - frozenset().union(*enough)
     lines = ["Within G1 to G5 these conditions and mends suffice together, and none can be left out:", ""]
-    lines += [*table(["minimal sufficient sets of conditions and mends"], rows), ""]
+    rows = [[listed(one), undone_by(one, surveys)] for one in enough]
+    lines += [*table(["minimal sufficient sets of conditions and mends", "does not suffice with also"], rows), ""]
+    lines += [f"In none of them: {listed(idle)}.", ""]
     lines += ["These do not suffice, however much is kept of the rest:", ""]
     broken, used = [], []
     universe = frozenset((*NAMES, *(mend.id for mend in MENDS)))
@@ -211,6 +216,17 @@ def with_mends(findings: Findings) -> Told:
             broken.append([listed(universe - one), name(witness["invariant"]), link(witness, "witness")])
             used.append(witness)
     return [*lines, *table(["all but", "breaks", ""], broken)], used
+
+
+def undone_by(chosen: Names, surveys: Sequence[tuple[Names, Finding]]) -> str:
+    """The fewest mends more under which a sufficient set does not suffice."""
+    own = mends_of(chosen)
+    more = [
+        mends - own
+        for mends, finding in surveys
+        if own < mends and not suffices(chosen - own, insufficient(all_broken(finding)))
+    ]
+    return "; or ".join(listed(one) for one in minimal(more)) or "no mend undoes it"
 
 
 def mends_of(names: Names) -> Names:
@@ -254,7 +270,10 @@ def claimed() -> list[str]:
     """The claims that say the same of the scenes of the hunts, and what is proved for any number of bodies."""
     links = ", ".join(claim_link(claim.id) for claim in CLAIMS)
     fits = claim_link("claim/long-edges-fit")
-    return [f"That they suffice together is also claimed: {links}. For any number of bodies: {fits}."]
+    return [
+        f"That the guidelines suffice with {listed(one.id for one in ENOUGH)} is claimed too, of the scenes of the "
+        f"hunts: {links}. That landings fit within the guidelines holds of any number of bodies: {fits}."
+    ]
 
 
 def sections(findings: Findings) -> list[tuple[list[str], Told]]:
@@ -287,6 +306,8 @@ ABOUT = """\
   than the last, or joined to it. Where three bodies are spoken of: three of one width on one or two grounds no shorter.
 - Where G2 is not kept: drops, steps and pits of half or twice a body height, or with slanted fall edges. Where G3 is
   not kept: a drop onto a slope. Where G5 is not kept: a floor one body height above three joined grounds.
+- All bodies are of one height. Where G2 is kept and anything can be fallen from, they are anyhow, so that G1 is about
+  widths.
 
 The first body is asked to move to the right by any distance, and moves what is in its way. It, or what carries it,
 stands on the leftmost ground or on the floor above. To the left all is alike: rules see a world only in the direction
@@ -317,7 +338,9 @@ MENDED = """\
 ### What mended rules spare
 
 Chapter 6.2.2 names changes of the rules; here are the ones that change one decision of `thesis`. Each set of them was
-explored with one or two bodies at a drop and at a pit, and three at a drop.""".splitlines()
+explored with one or two bodies of one width at a drop and at a pit of long grounds, and three at a drop; with
+`landing-in-place` with no more than two. Files and pictures are played by the rules as printed, and `make check` plays
+these witnesses by the mended ones.""".splitlines()
 
 CATALOGUE = """\
 ### Is the catalogue of unsupported cases complete?
