@@ -17,7 +17,8 @@ class Erratum:
         printed: the IDs of the printed rules and readings by which it comes.
         witness: a scenario of the library in which it is seen.
         refuted: the IDs of the claims that it refutes.
-        mended: the IDs of what holds instead under `repaired`; none where the defect is kept.
+        mended: the IDs of what holds instead under `repaired`, and of a small change of the printed rules if there is
+            one; none where the defect is kept.
         evidence: the IDs of the claims that show that the mend removes it.
     """
 
@@ -90,7 +91,7 @@ ON_LEDGES: tuple[Erratum, ...] = (
         printed=("leave/fall",),
         witness="lands-near",
         refuted=("claim/plane-margin", "claim/plane-margin/overshoot"),
-        mended=("settle/jump", "settle/fall", "event/contact"),
+        mended=("mend/margin-in-jump-test", "settle/jump", "settle/fall", "event/contact"),
         evidence=("claim/step-margin", REPLAYED),
     ),
     Erratum(
@@ -116,7 +117,7 @@ ON_LEDGES: tuple[Erratum, ...] = (
             "claim/plane-apart-of-two/overshoot",
             "claim/proxy-on-level-ground/overshoot",
         ),
-        mended=("difference/landing", "event/wall", "event/contact"),
+        mended=("mend/landing-in-place", "difference/landing", "event/wall", "event/contact"),
         evidence=("claim/step-terrain", "claim/step-margin", REPLAYED),
     ),
     Erratum(
@@ -126,7 +127,7 @@ ON_LEDGES: tuple[Erratum, ...] = (
         printed=("leave/jump", "reading/landing-position"),
         witness="lands-too-far",
         refuted=("claim/horizontal", "claim/horizontal/overshoot"),
-        mended=("difference/landing", "settle/jump"),
+        mended=("mend/landing-in-place", "difference/landing", "settle/jump"),
         evidence=("claim/step-motion", REPLAYED),
     ),
     Erratum(
@@ -136,7 +137,7 @@ ON_LEDGES: tuple[Erratum, ...] = (
         printed=("leave/jump",),
         witness="ridden-top",
         refuted=("claim/jump-clear-of-riders", "claim/jump-clear-of-riders/overshoot"),
-        mended=("model/neighbours", "event/contact"),
+        mended=("mend/look-at-landing", "model/neighbours", "event/contact"),
         evidence=("claim/step-margin", REPLAYED),
     ),
     Erratum(
@@ -147,7 +148,7 @@ ON_LEDGES: tuple[Erratum, ...] = (
         printed=("leave/jump", "reading/which-jump"),
         witness="ridden-top",
         refuted=("claim/what-leads-up-obstructs", "claim/what-leads-up-obstructs/overshoot"),
-        mended=("model/neighbours", "way/slower"),
+        mended=("mend/any-that-leads-up", "model/neighbours", "way/slower"),
         evidence=("claim/step-margin", REPLAYED),
     ),
     Erratum(
@@ -156,7 +157,7 @@ ON_LEDGES: tuple[Erratum, ...] = (
         "6.2.1, 6.6e; R25, A16",
         printed=("leave/jump", "fit/lands"),
         witness="lands-in-terrain",
-        mended=("event/wall", "event/contact"),
+        mended=("mend/look-at-landing", "event/wall", "event/contact"),
         evidence=("claim/step-terrain", "claim/step-margin", REPLAYED),
     ),
     Erratum(
