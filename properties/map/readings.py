@@ -101,6 +101,7 @@ def finding(reading: str | None) -> Finding:
     return {
         "scenes": len(scenes()),
         "judged": sum(scene.judged for scene in scenes()),
+        "plain": sum(scene.judged and scene.plain for scene in scenes()),
         "differing": found.differing,
         "undecided": found.undecided,
         "differs": None if found.differs is None else difference(found.differs, reading),
@@ -195,10 +196,11 @@ def section(findings: Findings) -> list[str]:
 
 
 def invariants() -> list[str]:
-    """The IDs of the invariants that are judged, in their order."""
-    from properties.alternatives.compare import INVARIANTS
+    """The IDs of the invariants that are judged: of strings without ledges, and in the plane."""
+    from properties.alternatives.compare import ON_STRINGS
+    from spec.plane import IN_PLANE
 
-    return [one.id for one in INVARIANTS]
+    return [one.id for one in (*ON_STRINGS, *IN_PLANE)]
 
 
 def headline(findings: Findings) -> Iterator[str]:
@@ -212,8 +214,9 @@ def headline(findings: Findings) -> Iterator[str]:
     yield "bodies, then edges, then steps, then the least numbers. A difference that is shown is the smallest of these."
     yield ""
     yield f"- {len(told)} of {len(others)} other readings end in other places on some scene."
-    yield f"- **Invariants that hold under every reading: {listed(kept)}.** This is *tested*, in the {thesis['judged']}"
-    yield "  scenes of one step that keep all guidelines on level ground; it is no proof."
+    yield f"- **Invariants that hold under every reading: {listed(kept)}.** This is *tested*, no proof: in"
+    yield f"  {thesis['judged']} scenes of one step that keep all guidelines on level ground; those up to `direction`, which are"
+    yield f"  about one string, in the {thesis['plain']} of them that have no ledge and no rider."
     yield f"- `thesis` itself breaks {listed(list(thesis['broken']))} there."
 
 
