@@ -219,9 +219,9 @@ def body_at(index: int, left: int, lengths: list[int], speed: int = 0) -> Body[A
 
 def ticks() -> Iterator[Scene]:
     """One tick, or two, of two bodies of which one or both are characters."""
-    for high, long in (((0,), (7,)), ((0, 1), (3, 3)), ((1, 0), (5, 3))):
+    for high, long in (((0,), (7,)), ((0,), (9,)), ((0, 1), (3, 3)), ((1, 0), (5, 3))):
         for scene in stepped([high], lambda _, long=long: iter([long]), (2, 2), requests(0)):  # type: ignore[misc]
-            for speeds in ((1, 0), (2, 0), (1, 1), (1, 2)):
+            for speeds in ((1, 0), (2, 0), (1, 1), (1, 2), (1, 3)):
                 bodies = tuple(replace(b, speed=v) for b, v in zip(scene.level.bodies, speeds, strict=True))
                 for steps in ((RIGHT,), (RIGHT, RIGHT)):
                     yield replace(scene, level=replace(scene.level, bodies=bodies), steps=steps)

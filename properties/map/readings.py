@@ -214,9 +214,10 @@ def headline(findings: Findings) -> Iterator[str]:
     yield "bodies, then edges, then steps, then the least numbers. A difference that is shown is the smallest of these."
     yield ""
     yield f"- {len(told)} of {len(others)} other readings end in other places on some scene."
-    yield f"- **Invariants that hold under every reading: {listed(kept)}.** This is *tested*, no proof: in"
-    yield f"  {thesis['judged']} scenes of one step that keep all guidelines on level ground; those up to `direction`, which are"
-    yield f"  about one string, in the {thesis['plain']} of them that have no ledge and no rider."
+    yield f"- **Invariants that hold under every reading: {listed(kept)}.**"
+    yield f"  This is *tested*, no proof: in {thesis['judged']} scenes of one step that keep all guidelines."
+    yield "  Those of these invariants that stand before plane-apart in the table are about one string: they are judged"
+    yield f"  in {thesis['plain']} scenes without ledges and riders."
     yield f"- `thesis` itself breaks {listed(list(thesis['broken']))} there."
 
 
@@ -315,8 +316,8 @@ def matrix(findings: Findings) -> Iterator[str]:
     names, judged = invariants(), findings[THESIS]["judged"]
     alike = [one for one in played(findings) if breaks(findings, one) == breaks(findings, THESIS)]
     yield "`2 on 1` says: the smallest scene in which the invariant is broken has 2 bodies on 1 edge. An empty cell"
-    yield f"means that it held in all {judged} judged scenes (*tested*). *Differs* counts those that end in other"
-    yield "places than under `thesis`."
+    yield "means that it held in all scenes in which it is judged (*tested*). *Differs* counts the scenes, of"
+    yield f"{judged}, that end in other places than under `thesis`."
     yield ""
     yield f"| reading | differs | {' | '.join(entry(name, 'invariants.md') for name in names)} |"
     yield "|---" * (len(names) + 2) + "|"
