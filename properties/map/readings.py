@@ -219,6 +219,15 @@ def headline(findings: Findings) -> Iterator[str]:
     yield "  Those of these invariants that stand before plane-apart in the table are about one string: they are judged"
     yield f"  in {thesis['plain']} scenes without ledges and riders."
     yield f"- `thesis` itself breaks {listed(list(thesis['broken']))} there."
+    yield "- It keeps these, which others break: " + "; ".join(lost(findings)) + "."
+
+
+def lost(findings: Findings) -> Iterator[str]:
+    """Each invariant that the thesis keeps and others break, with these readings."""
+    for name in invariants():
+        by = [entry(one, PAGE) for one in played(findings) if name in findings[one]["broken"]]
+        if by and name not in findings[THESIS]["broken"]:
+            yield f"{entry(name, 'invariants.md')} (by {', '.join(by)})"
 
 
 def listed(names: list[str]) -> str:
