@@ -152,12 +152,10 @@ def refused(findings: Findings) -> set[str]:
 
 
 def witnesses(findings: Findings) -> Mapping[str, Any]:
-    """The scenes that are shown, as scenarios under the thesis."""
-    return {
-        witness_name(number): scene["scenario"]
-        for number, scene in all_shown(findings).items()
-        if number not in refused(findings)
-    }
+    """The scenes to which the section links, as scenarios under the thesis."""
+    said = "\n".join(section(findings))
+    scenes = {witness_name(number): scene["scenario"] for number, scene in all_shown(findings).items()}
+    return {name: scenario for name, scenario in scenes.items() if f"/{name}.json" in said}
 
 
 def broken(findings: Findings) -> Iterator[str]:
