@@ -9,7 +9,7 @@ from typing import Any
 import msgspec
 
 from properties.alternatives.compare import FAILS, broken_by, outcome
-from properties.alternatives.scenes import Scene, Step, keeps_guidelines
+from properties.alternatives.scenes import Scene, Step, scene_in
 from properties.evidence.witness import guidelines_of
 from reference.formats.level import level_of, level_record
 from reference.formats.numbers import exact
@@ -43,11 +43,11 @@ def scene_of(scenario: Mapping[str, Any]) -> Scene:
     record = msgspec.convert(scenario, ScenarioRecord)
     assert not isinstance(record.level, str)
     level = level_of(record.level)
+    steps = tuple(step_of(step) for step in record.steps)
     try:
-        guided = keeps_guidelines(level)
+        return scene_in(level, steps)
     except LevelError:
-        guided = False
-    return Scene(level, tuple(step_of(step) for step in record.steps), guided)
+        return Scene(level, steps, guided=False, plain=False)
 
 
 def step_of(step: StepRecord) -> Any:

@@ -13,12 +13,15 @@ from reference.simulator import Endless, Fulfilled, Game
 from reference.world import LevelError, World
 from spec.body import EdgePosition
 from spec.graph import Direction
-from spec.invariants import NO_OVERLAP, ORDER, RIGID_WIDTH, Deed, Invariant
+from spec.invariants import AT_MOST_ASKED, DIRECTION, NO_OVERLAP, ON_GRAPH, ORDER, RIGID_WIDTH, Deed, Invariant
 from spec.plane import HORIZONTAL, IN_PLANE
 from spec.profiles import THESIS
 from spec.rule import GuardError
 
-INVARIANTS: tuple[Invariant, ...] = (ORDER, NO_OVERLAP, RIGID_WIDTH, *IN_PLANE)
+ON_STRINGS: tuple[Invariant, ...] = (ORDER, NO_OVERLAP, RIGID_WIDTH, ON_GRAPH, AT_MOST_ASKED, DIRECTION)
+OF_A_MOVER = (AT_MOST_ASKED, HORIZONTAL)
+"""What is not judged of a tick, which has several movers."""
+
 MOST_RULES = 20_000
 FAILS = "fails"
 Answer = tuple[Any, ...]
@@ -90,10 +93,9 @@ def broken_by(scene: Scene, played: Run | None) -> Iterator[str]:
     """The invariants that a run of one step breaks, in a scene that keeps the guidelines."""
     if played is None or not scene.judged:
         return
-    deed = deed_of(scene, played)
-    for invariant in INVARIANTS:
-        ticked = isinstance(scene.steps[0], Direction)
-        if not (ticked and invariant is HORIZONTAL) and not invariant.holds(deed):
+    deed, ticked = deed_of(scene, played), isinstance(scene.steps[0], Direction)
+    for invariant in (*ON_STRINGS, *IN_PLANE) if scene.plain else IN_PLANE:
+        if not (ticked and invariant in OF_A_MOVER) and not invariant.holds(deed):
             yield invariant.id
 
 

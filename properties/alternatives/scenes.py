@@ -17,7 +17,7 @@ from properties.worlds.rows import located, string_graph
 from properties.worlds.scenes import Shape, Stand, profile_of_heights, stands
 from reference.world import LevelError, World, world_of
 from spec.body import Body, EdgePosition, Level
-from spec.conditions import PLANE_START
+from spec.conditions import ONE_STRING, PLANE_START
 from spec.graph import Direction, EdgeType, ExplicitEdge, Graph, Vertex, explicit, polyline
 from spec.guidelines import GUIDELINES
 from spec.transform import with_numbers
@@ -32,11 +32,17 @@ Place = tuple[Stand, int, int]
 
 @dataclass(frozen=True)
 class Scene:
-    """A level and what is asked in it. `guided`: its ground is level, it keeps all guidelines, and starts in order."""
+    """A level and what is asked in it.
+
+    Attributes:
+        guided: its ground is level, it keeps all guidelines, and starts in order.
+        plain: it is one string without ledges, and nobody rides.
+    """
 
     level: Level[Any]
     steps: tuple[Step, ...]
     guided: bool
+    plain: bool
 
     @property
     def judged(self) -> bool:
@@ -97,18 +103,20 @@ def valid(level: Level[Any]) -> Level[Any] | None:
     return level if PLANE_START.holds(world, MARGIN) else None
 
 
-def keeps_guidelines(level: Level[Any]) -> bool:
-    """Whether a level keeps all guidelines, on level ground."""
-    world = World(level)
-    flat = all(edge.rise == 0 for edge in level.graph.edges if edge.type is EdgeType.GROUND)
-    return flat and all(guideline.kept(world) for guideline in GUIDELINES)
-
-
 def asked(level: Level[Any] | None, steps: Sequence[Step]) -> Iterator[Scene]:
     """The scenes of one step."""
     if level is not None:
-        guided = keeps_guidelines(level)
-        yield from (Scene(level, (one,), guided) for one in steps)
+        still = scene_in(level, ())
+        yield from (replace(still, steps=(one,)) for one in steps)
+
+
+def scene_in(level: Level[Any], steps: tuple[Step, ...]) -> Scene:
+    """The scene of these steps in a level."""
+    world = World(level)
+    flat = all(edge.rise == 0 for edge in level.graph.edges if edge.type is EdgeType.GROUND)
+    guided = flat and all(guideline.kept(world) for guideline in GUIDELINES)
+    ridden = any(world.support(body) is not None for body in world.handles())
+    return Scene(level, steps, guided, plain=bool(ONE_STRING.holds(world, MARGIN)) and not ridden)
 
 
 def requests(*distances: int) -> list[Step]:
@@ -211,9 +219,9 @@ def body_at(index: int, left: int, lengths: list[int], speed: int = 0) -> Body[A
 
 def ticks() -> Iterator[Scene]:
     """One tick, or two, of two bodies of which one or both are characters."""
-    for high, long in (((0,), (7,)), ((0, 1), (3, 3)), ((1, 0), (5, 3))):
+    for high, long in (((0,), (7,)), ((0,), (9,)), ((0, 1), (3, 3)), ((1, 0), (5, 3))):
         for scene in stepped([high], lambda _, long=long: iter([long]), (2, 2), requests(0)):  # type: ignore[misc]
-            for speeds in ((1, 0), (2, 0), (1, 1), (1, 2)):
+            for speeds in ((1, 0), (2, 0), (1, 1), (1, 2), (1, 3)):
                 bodies = tuple(replace(b, speed=v) for b, v in zip(scene.level.bodies, speeds, strict=True))
                 for steps in ((RIGHT,), (RIGHT, RIGHT)):
                     yield replace(scene, level=replace(scene.level, bodies=bodies), steps=steps)
@@ -270,7 +278,7 @@ def odd_graphs() -> Iterator[Scene]:
         vertices = [Vertex(Fraction(x), Fraction(y)) for x, y in points]
         graph = explicit([ExplicitEdge(left, right) for left, right in ends], vertices)
         level = with_numbers(Level(graph, MARGIN, 1, (body_along(graph, "A", 0, 2),)), Fraction, Fraction)
-        yield Scene(level, (("A", 1),), guided=False)
+        yield Scene(level, (("A", 1),), guided=False, plain=False)
 
 
 @cache

@@ -101,6 +101,7 @@ def finding(reading: str | None) -> Finding:
     return {
         "scenes": len(scenes()),
         "judged": sum(scene.judged for scene in scenes()),
+        "plain": sum(scene.judged and scene.plain for scene in scenes()),
         "differing": found.differing,
         "undecided": found.undecided,
         "differs": None if found.differs is None else difference(found.differs, reading),
@@ -151,12 +152,10 @@ def refused(findings: Findings) -> set[str]:
 
 
 def witnesses(findings: Findings) -> Mapping[str, Any]:
-    """The scenes that are shown, as scenarios under the thesis."""
-    return {
-        witness_name(number): scene["scenario"]
-        for number, scene in all_shown(findings).items()
-        if number not in refused(findings)
-    }
+    """The scenes to which the section links, as scenarios under the thesis."""
+    said = "\n".join(section(findings))
+    scenes = {witness_name(number): scene["scenario"] for number, scene in all_shown(findings).items()}
+    return {name: scenario for name, scenario in scenes.items() if f"/{name}.json" in said}
 
 
 def broken(findings: Findings) -> Iterator[str]:
@@ -195,10 +194,11 @@ def section(findings: Findings) -> list[str]:
 
 
 def invariants() -> list[str]:
-    """The IDs of the invariants that are judged, in their order."""
-    from properties.alternatives.compare import INVARIANTS
+    """The IDs of the invariants that are judged: of strings without ledges, and in the plane."""
+    from properties.alternatives.compare import ON_STRINGS
+    from spec.plane import IN_PLANE
 
-    return [one.id for one in INVARIANTS]
+    return [one.id for one in (*ON_STRINGS, *IN_PLANE)]
 
 
 def headline(findings: Findings) -> Iterator[str]:
@@ -212,9 +212,20 @@ def headline(findings: Findings) -> Iterator[str]:
     yield "bodies, then edges, then steps, then the least numbers. A difference that is shown is the smallest of these."
     yield ""
     yield f"- {len(told)} of {len(others)} other readings end in other places on some scene."
-    yield f"- **Invariants that hold under every reading: {listed(kept)}.** This is *tested*, in the {thesis['judged']}"
-    yield "  scenes of one step that keep all guidelines on level ground; it is no proof."
+    yield f"- **Invariants that hold under every reading: {listed(kept)}.**"
+    yield f"  This is *tested*, no proof: in {thesis['judged']} scenes of one step that keep all guidelines."
+    yield "  Those of these invariants that stand before plane-apart in the table are about one string: they are judged"
+    yield f"  in {thesis['plain']} scenes without ledges and riders."
     yield f"- `thesis` itself breaks {listed(list(thesis['broken']))} there."
+    yield "- It keeps these, which others break: " + "; ".join(lost(findings)) + "."
+
+
+def lost(findings: Findings) -> Iterator[str]:
+    """Each invariant that the thesis keeps and others break, with these readings."""
+    for name in invariants():
+        by = [entry(one, PAGE) for one in played(findings) if name in findings[one]["broken"]]
+        if by and name not in findings[THESIS]["broken"]:
+            yield f"{entry(name, 'invariants.md')} (by {', '.join(by)})"
 
 
 def listed(names: list[str]) -> str:
@@ -312,8 +323,8 @@ def matrix(findings: Findings) -> Iterator[str]:
     names, judged = invariants(), findings[THESIS]["judged"]
     alike = [one for one in played(findings) if breaks(findings, one) == breaks(findings, THESIS)]
     yield "`2 on 1` says: the smallest scene in which the invariant is broken has 2 bodies on 1 edge. An empty cell"
-    yield f"means that it held in all {judged} judged scenes (*tested*). *Differs* counts those that end in other"
-    yield "places than under `thesis`."
+    yield "means that it held in all scenes in which it is judged (*tested*). *Differs* counts the scenes, of"
+    yield f"{judged}, that end in other places than under `thesis`."
     yield ""
     yield f"| reading | differs | {' | '.join(entry(name, 'invariants.md') for name in names)} |"
     yield "|---" * (len(names) + 2) + "|"
