@@ -33,12 +33,17 @@ FLOORS_OF_VERDICTS = {
         mirror edge-split full-circle margins-over-time order-over-time world-is-lawful
         landing-keeps-width stays-in-wall near-jump-edges landing-position landing-position/overshoot
         one-step-rule-applies contacts-do-not-close squeezed-bodies-stand speeds-are-wished
+        no-falls-no-leaving no-collisions-no-pushing no-width-no-jumps
     """,
     BOUNDED: """
         whole-rows terrain plane-apart-of-two horizontal-alone supports-end never-raised height-kept
         supports-end/overshoot never-raised/overshoot height-kept/overshoot
         step-margin step-terrain step-support step-seat step-order step-motion step-not-raised step-bystanders
         step-progress step-squeezed step-one-key step-instants step-split step-mirror whole-steps requests-end-alike
+        order-without-width order-without-width/no-falls trouble-is-gone/no-falls trouble-is-gone/no-collisions
+        trouble-is-gone/no-width trouble-is-gone/no-collisions/no-falls trouble-is-gone/no-collisions/no-width
+        trouble-is-gone/no-falls/no-width trouble-is-gone/overshoot/no-collisions trouble-is-gone/overshoot/no-width
+        trouble-is-gone/overshoot/no-collisions/no-width
     """,
     TESTED: """
         rule-count invariants-judge
@@ -52,6 +57,7 @@ FLOORS_OF_VERDICTS = {
         jump-clear-of-riders jump-clear-of-riders/overshoot what-leads-up-obstructs what-leads-up-obstructs/overshoot
         carried-clear carried-clear/overshoot no-short-pit no-short-pit-heights no-overhang-from-body no-tunnel
         no-fall-onto-middle no-sharp-ledge no-fall-off-body no-landing-does-not-fit
+        order-without-width/overshoot
     """,
 }
 
