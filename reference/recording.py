@@ -29,6 +29,7 @@ from reference.play import ONE_BY_ONE, SAME_BODIES, Played, Playing, format_of, 
 from reference.simulator import Fulfilled, Happened
 from reference.world import LevelError, World, standing
 from spec.body import Body, Level
+from spec.features import WIDE, Widths
 from spec.profiles import AnyProfile, SteppedProfile
 from spec.registry import rules_of
 
@@ -189,7 +190,7 @@ def following(level: Level[Fraction], line: LineRecord) -> Level[Fraction]:
     return level
 
 
-def state_after(level: Level[Fraction], line: LineRecord) -> World[Fraction]:
+def state_after(level: Level[Fraction], line: LineRecord, widths: Widths = WIDE) -> World[Fraction]:
     """The world in which a line of a trace says that its step ended: any state that bodies can be in, good or bad.
 
     Raises:
@@ -202,4 +203,4 @@ def state_after(level: Level[Fraction], line: LineRecord) -> World[Fraction]:
         at, place = places[body.name]
         left, right = position_of(place.left, tops, f"{at}.left"), position_of(place.right, tops, f"{at}.right")
         bodies.append(replace(body, left=left, right=right))
-    return standing(replace(level, bodies=tuple(bodies)))
+    return standing(replace(level, bodies=tuple(bodies)), widths)
