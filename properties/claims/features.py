@@ -50,13 +50,10 @@ WITH_RIDERS: dict[str, frozenset[str]] = {
 
 def promises_of(profile: Profile) -> dict[str, Promise]:
     """What is asked of a profile, by ID: that no case happens, and what is promised of the plane."""
-    not_asked = frozenset[str]().union(*(feature.not_asked for feature in profile.without))
-    asked: dict[str, Promise] = {case.id: partial(never, case.happened) for case in CASES if case.id not in not_asked}
+    asked: dict[str, Promise] = {case.id: partial(never, case.happened) for case in CASES}
     in_order = [PLANE_ORDER] if WIDTH in profile.without and COLLISIONS not in profile.without else []
-    for invariant in [*IN_PLANE, *in_order]:
-        if invariant.id not in not_asked:
-            asked[invariant.id] = partial(always, invariant.holds)
-    return asked
+    asked.update({invariant.id: partial(always, invariant.holds) for invariant in [*IN_PLANE, *in_order]})
+    return {name: promise for name, promise in asked.items() if name not in profile.not_asked}
 
 
 def never(happened: Promise, deed: Deed[Any], fired: frozenset[str]) -> Truth:
