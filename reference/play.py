@@ -176,8 +176,8 @@ def rounded(level: Level[Any]) -> Level[float]:
         LevelError: if floats do not tell the borders of a body apart.
     """
     binary = in_floats(level)
-    for i, body in enumerate(binary.bodies):
-        if body.left == body.right:
+    for i, (body, exactly) in enumerate(zip(binary.bodies, level.bodies, strict=True)):
+        if body.left == body.right and exactly.left != exactly.right:
             raise LevelError(f"$.level.bodies[{i}]", "expected borders that floats tell apart")
     return binary
 

@@ -29,6 +29,7 @@ from reference.play import ONE_BY_ONE, SAME_BODIES, Played, Playing, format_of, 
 from reference.simulator import Fulfilled, Happened
 from reference.world import LevelError, World, standing
 from spec.body import Body, Level
+from spec.features import WIDE, Widths
 from spec.profiles import AnyProfile, SteppedProfile
 from spec.registry import rules_of
 from spec.rules.velocity import Motion
@@ -191,7 +192,7 @@ def following(level: Level[Fraction], line: LineRecord) -> Level[Fraction]:
     return level
 
 
-def state_after(level: Level[Fraction], line: LineRecord) -> World[Fraction]:
+def state_after(level: Level[Fraction], line: LineRecord, widths: Widths = WIDE) -> World[Fraction]:
     """The world in which a line of a trace says that its step ended: any state that bodies can be in, good or bad.
 
     Raises:
@@ -205,7 +206,7 @@ def state_after(level: Level[Fraction], line: LineRecord) -> World[Fraction]:
         left, right = position_of(place.left, tops, f"{at}.left"), position_of(place.right, tops, f"{at}.right")
         motion = motion_after(body, place.velocity, f"{at}.velocity")
         bodies.append(replace(body, left=left, right=right, motion=motion))
-    return standing(replace(level, bodies=tuple(bodies)))
+    return standing(replace(level, bodies=tuple(bodies)), widths)
 
 
 def motion_after(body: Body[Fraction], velocity: Any, place: str) -> Motion[Fraction] | None:

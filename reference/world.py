@@ -575,14 +575,14 @@ def check_buttons(world: World[N]) -> None:
             raise LevelError(f"$.buttons[{i}].location", f"expected 0 to {length}, got {at.location}")
 
 
-def standing(level: Level[N]) -> World[N]:
+def standing(level: Level[N], widths: Widths = WIDE) -> World[N]:
     """The world of a level in which bodies stand, wherever that is: perhaps within each other, or in a wall.
 
     Raises:
-        LevelError: if a body has no width, or stands on nothing.
+        LevelError: if a body has another width than bodies may have, or stands on nothing.
     """
     world = laid_out(level)
-    check_widths(world)
+    check_widths(world, widths)
     return world
 
 

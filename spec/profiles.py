@@ -85,6 +85,11 @@ class Profile:
         """Its name as an ID."""
         return f"profile/{self.name}"
 
+    @property
+    def not_asked(self) -> frozenset[str]:
+        """The IDs of invariants and unsupported cases that mean nothing under it."""
+        return frozenset[str]().union(*(feature.not_asked for feature in self.without))
+
 
 THESIS = Profile(
     name="thesis",

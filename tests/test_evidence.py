@@ -43,6 +43,7 @@ FLOORS_OF_VERDICTS = {
         step-margin step-terrain step-support step-seat step-order step-motion step-not-raised step-bystanders
         step-progress step-squeezed step-one-key
         one-display-rule-applies falls-are-smooth falls-arrive shown-upon-support turns-are-smooth centres-are-lawful
+        no-falls-no-leaving no-collisions-no-pushing no-width-no-jumps
     """,
     BOUNDED: """
         proxy-on-level-ground whole-rows terrain plane-apart-of-two horizontal-alone
@@ -53,6 +54,10 @@ FLOORS_OF_VERDICTS = {
         enough-for-the-plane enough-for-the-plane/overshoot enough-for-three enough-for-three/overshoot
         step-instants step-split step-mirror whole-steps requests-end-alike
         designs-agree designs-agree-on-rings discrete-turns discrete-turns-are-steps discrete-turns-are-steps-of-more
+        order-without-width order-without-width/no-falls trouble-is-gone/no-falls trouble-is-gone/no-collisions
+        trouble-is-gone/no-width trouble-is-gone/no-collisions/no-falls trouble-is-gone/no-collisions/no-width
+        trouble-is-gone/no-falls/no-width trouble-is-gone/overshoot/no-collisions trouble-is-gone/overshoot/no-width
+        trouble-is-gone/overshoot/no-collisions/no-width
     """,
     TESTED: """
         rule-count invariants-judge
@@ -74,6 +79,7 @@ FLOORS_OF_VERDICTS = {
         no-higher-through-a-valley
         frames-do-not-matter nobody-is-shown-rising three-cost-as-two ledges-are-left-alike
         no-other-strings proxy-on-level-ground/overshoot proxy-on-slanted-falls proxy-on-tilted-landings
+        order-without-width/overshoot
     """,
 }
 

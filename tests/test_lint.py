@@ -178,3 +178,10 @@ def test_the_exit_status_says_whether_anything_was_found(tmp_path):
     assert graphbody(*wrong["replay"].split()[1:], cwd=tmp_path).returncode == 0
     refused = graphbody("lint", "missing.json", cwd=tmp_path)
     assert (refused.returncode, refused.stdout, len(refused.stderr.splitlines())) == (2, "", 1)
+
+
+def test_what_a_feature_makes_meaningless_is_not_told_without_it():
+    path = LIBRARY / "scenarios" / "feature-no-collisions.json"
+    told = {name for wrong in lint(path).wrong for name in wrong.broken}
+    assert not told & {"invariant/plane-apart", "invariant/plane-margin", "unsupported/fall-onto-middle"}
+    assert {name for wrong in lint(path, "thesis/overshoot").wrong for name in wrong.broken}

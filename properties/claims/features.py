@@ -23,26 +23,37 @@ Promise = Callable[[Deed[Any], frozenset[str]], Truth]
 MOST_BODIES, MOST_EDGES = 2, 3
 IN_TUNNELS = frozenset({"unsupported/tunnel", "invariant/terrain"})
 NEAR = frozenset({"invariant/plane-margin"})
+LANDS_IN_PITS = frozenset(
+    {"unsupported/short-pit", "unsupported/short-pit-heights", "unsupported/landing-does-not-fit"}
+)
 
 LEFT: dict[str, frozenset[str]] = {
+    "thesis/no-falls": IN_TUNNELS | NEAR | {"invariant/plane-apart"},
+    "thesis/no-collisions": IN_TUNNELS | LANDS_IN_PITS,
+    "thesis/no-width": IN_TUNNELS | NEAR,
     "thesis/no-collisions/no-falls": IN_TUNNELS,
     "thesis/no-collisions/no-width": IN_TUNNELS,
     "thesis/no-falls/no-width": IN_TUNNELS | NEAR,
-    "thesis/no-width": IN_TUNNELS | NEAR,
+    "thesis/overshoot/no-collisions": IN_TUNNELS | LANDS_IN_PITS,
     "thesis/overshoot/no-width": IN_TUNNELS | NEAR | {PLANE_ORDER.id},
+    "thesis/overshoot/no-collisions/no-width": IN_TUNNELS,
 }
 """For each profile that does without features, what goes wrong nevertheless; the map has a witness for each."""
+
+FROM_BODIES = frozenset({"unsupported/fall-off-body", "unsupported/overhang-from-body", "unsupported/sharp-ledge"})
+WITH_RIDERS: dict[str, frozenset[str]] = {
+    "thesis/no-falls": IN_TUNNELS,
+    "thesis/no-collisions": FROM_BODIES,
+}
+"""What goes wrong where bodies stand on bodies at the start; of all else there nothing is claimed."""
 
 
 def promises_of(profile: Profile) -> dict[str, Promise]:
     """What is asked of a profile, by ID: that no case happens, and what is promised of the plane."""
-    not_asked = frozenset[str]().union(*(feature.not_asked for feature in profile.without))
-    asked: dict[str, Promise] = {case.id: partial(never, case.happened) for case in CASES if case.id not in not_asked}
+    asked: dict[str, Promise] = {case.id: partial(never, case.happened) for case in CASES}
     in_order = [PLANE_ORDER] if WIDTH in profile.without and COLLISIONS not in profile.without else []
-    for invariant in [*IN_PLANE, *in_order]:
-        if invariant.id not in not_asked:
-            asked[invariant.id] = partial(always, invariant.holds)
-    return asked
+    asked.update({invariant.id: partial(always, invariant.holds) for invariant in [*IN_PLANE, *in_order]})
+    return {name: promise for name, promise in asked.items() if name not in profile.not_asked}
 
 
 def never(happened: Promise, deed: Deed[Any], fired: frozenset[str]) -> Truth:
@@ -113,6 +124,12 @@ def immediate(name: str, feature: Feature, sentence: str, *programs: Callable[[R
     )
 
 
+def order_id(profile: Profile) -> str:
+    """The ID of the claim that bodies without width do not change their order under a profile."""
+    suffix = profile.name.removeprefix("thesis").removesuffix("/no-width")
+    return f"claim/order-without-width{suffix}"
+
+
 def order(profile: Profile, expected: Verdict) -> Claim:
     """The claim that bodies without width do not change their order."""
     hunt = Hunt(
@@ -124,9 +141,8 @@ def order(profile: Profile, expected: Verdict) -> Claim:
         least_bodies=2,
         points=True,
     )
-    suffix = profile.name.removeprefix("thesis").removesuffix("/no-width")
     return Claim(
-        f"claim/order-without-width{suffix}",
+        order_id(profile),
         "features",
         "Bodies without width do not change their order.",
         "8.0.1; E15, A15, A19",
@@ -160,6 +176,7 @@ CLAIMS: tuple[Claim, ...] = (
         features.points_are_not_obstructed,
     ),
     order(WITHOUT["thesis/no-width"], Verdict.BOUNDED),
+    order(WITHOUT["thesis/no-falls/no-width"], Verdict.BOUNDED),
     order(WITHOUT["thesis/overshoot/no-width"], Verdict.REFUTED),
     *(gone(profile) for profile in WITHOUT.values() if profile.name in LEFT),
 )

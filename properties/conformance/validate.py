@@ -33,6 +33,7 @@ from properties.conformance.stepping import OfChanges, OfSteps
 from reference.formats.files import FormatError, one_line
 from reference.formats.trace import LineRecord
 from reference.plan import check_plan, plan_of
+from reference.play import widths_of
 from reference.recording import Recording, following, read_trace, state_after
 from reference.rounding import tolerance as rounding
 from reference.simulator import Endless, Fulfilled
@@ -171,7 +172,7 @@ def world_after(log: Recording, line: LineRecord, where: str) -> World[Fraction]
         StateError: if no body can be so.
     """
     try:
-        return state_after(log.level, line)
+        return state_after(log.level, line, widths_of(log.profile))
     except LevelError as error:
         raise StateError(one_line(f"{where}: {error}")) from None
 

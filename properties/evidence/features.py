@@ -1,12 +1,9 @@
-"""What is left of the trouble without a feature: all that is promised, judged on each small shape, the smallest first.
-
-One exploration judges all promises that no smaller shape has broken; a promise that is broken has its witness, and the
-shape is explored again for the others.
-"""
+"""What goes wrong without a feature: small witnesses, found on small shapes, the smallest first, and played again."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from collections.abc import Iterable
+from dataclasses import dataclass
 from fractions import Fraction
 from functools import partial
 from typing import Any
@@ -15,23 +12,24 @@ from properties.claims.features import MOST_BODIES, MOST_EDGES, Promise, promise
 from properties.engine.explore import explore
 from properties.evidence.deeds import do
 from properties.evidence.hunt import MOVER, RIGHT, start_in_order
-from properties.given import Given
+from properties.given import Exact, Given
 from properties.worlds.points import scene_of_points
 from properties.worlds.scenes import Shape, scene, shapes
+from reference.formats.level import LevelRecord, level_record, valid_level
+from reference.formats.numbers import exact, number_text
+from reference.formats.scenario import RequestRecord, ScenarioRecord, StepRecord
 from reference.world import World
 from spec.body import Level
 from spec.features import PLANE_ORDER, WIDTH
-from spec.profiles import Profile
+from spec.profiles import WITHOUT, Profile
 
 
-@dataclass
-class Left:
-    """What is left without some features: for each promise that is broken the smallest shape and values."""
+@dataclass(frozen=True)
+class Witness:
+    """Values of a shape that break a promise."""
 
-    witnesses: dict[str, tuple[Shape, dict[str, Fraction | bool]]] = field(default_factory=dict)
-    shapes: int = 0
-    paths: int = 0
-    open: list[str] = field(default_factory=list)
+    shape: Shape
+    values: dict[str, Fraction | bool]
 
 
 def shapes_of(riders: bool) -> list[Shape]:
@@ -53,22 +51,45 @@ def judge(profile: Profile, shape: Shape, promises: dict[str, Promise], given: G
     deed, record = do(profile, world, MOVER, RIGHT, asked, asked * 0)
     fired = frozenset(rule for body, rule in record.fired if body == MOVER)
     for name, promise in promises.items():
-        given.ensure(name, promise(deed, fired))
+        if name != PLANE_ORDER.id or shape.platform is None:
+            given.ensure(name, promise(deed, fired))
 
 
-def left_of(profile: Profile, riders: bool) -> Left:
-    """Go through all small shapes; what is promised and not in the witnesses holds on all of them."""
-    left, promises = Left(), promises_of(profile)
+def witnesses(profile: Profile, riders: bool, names: Iterable[str]) -> dict[str, Witness]:
+    """For each of some promises of a profile the values that break it on the smallest shape on which any do.
+
+    A promise for which there are none on any small shape is left out.
+    """
+    promises, found = promises_of(profile), {}
+    asked = {name: promises[name] for name in names}
     for shape in shapes_of(riders):
-        left.shapes += 1
-        layered = {PLANE_ORDER.id} if shape.platform is not None else set()
-        while True:
-            asked = {name: one for name, one in promises.items() if name not in left.witnesses.keys() | layered}
-            outcome = explore(partial(judge, profile, shape, asked))
-            found = outcome.counterexample
-            if found is None:
-                left.paths += outcome.paths
-                left.open += outcome.open
-                break
-            left.witnesses.update(dict.fromkeys(found.broken, (shape, found.values)))
-    return left
+        while asked and (broken := explore(partial(judge, profile, shape, asked)).counterexample) is not None:
+            found.update(dict.fromkeys(broken.broken, Witness(shape, broken.values)))
+            asked = {name: one for name, one in asked.items() if name not in found}
+    return found
+
+
+def record_of(profile: Profile, witness: Witness, name: str) -> ScenarioRecord:
+    """A witness as a scenario."""
+    level, asked = scene_under(profile, Exact(witness.values), witness.shape)
+    request = RequestRecord(level.bodies[MOVER].name, number_text(asked))
+    return ScenarioRecord(
+        format="graphbody/scenario@1",
+        name=name,
+        level=level_record(level, name),
+        profile=profile.name,
+        steps=[StepRecord(request=request)],
+    )
+
+
+def broken_in(scenario: ScenarioRecord) -> list[str]:
+    """The IDs of what the request of a scenario breaks under its profile, in exact numbers."""
+    profile = WITHOUT[scenario.profile]
+    (step,) = scenario.steps
+    assert isinstance(scenario.level, LevelRecord)
+    assert step.request is not None
+    world = World(valid_level(scenario.level, "$.level", widths=profile.widths))
+    asked = exact(step.request.distance, "$.steps[0].request.distance")
+    deed, record = do(profile, world, MOVER, RIGHT, asked, asked * 0)
+    fired = frozenset(rule for body, rule in record.fired if body == MOVER)
+    return [name for name, promise in promises_of(profile).items() if not promise(deed, fired)]

@@ -111,7 +111,8 @@ class Search:
         self.requests += to_judge <= MOST_JUDGED
         if not moved or to_judge > MOST_JUDGED:
             return None
-        broken = tuple(broken_by(deed, frozenset(rule for who, rule in record.fired if who == body), judged))
+        fired = frozenset(rule for who, rule in record.fired if who == body)
+        broken = tuple(name for name in broken_by(deed, fired, judged) if name not in self.profile.not_asked)
         steps = (*state.steps, (world.bodies[body].name, distance))
         if broken:
             self.wrongs.append(Wrong(steps, broken, reach))
