@@ -384,7 +384,8 @@ OF_STOREYS: tuple[Reading[None], ...] = (
     ),
     reading(
         "repaired/friction-of-tops",
-        "Only edges have a coefficient of friction of their own; on the top of a body that of the rider counts alone.",
+        "Only edges have a coefficient of friction of their own; under a body across a vertex it is the mean of those "
+        "under its borders that have one. On the top of a body that of the rider counts alone.",
         "6.3.4; O9, P7",
         "the mean with that of the body below",
         "repaired-slide",

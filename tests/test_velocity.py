@@ -521,3 +521,31 @@ def test_slides_on_random_storeys_keep_bodies_apart_and_conform(seed, floats, tm
     again = play(path, floats)
     found = report(tmp_path, [header_of(again, floats), *lines_of(again)])
     assert found.conforms, found.first
+
+
+def figure_6_7(velocity, steepness, coefficient, gravity, dt):
+    """The lines of figure 6.7, in the order in which they are printed."""
+    velocity += steepness * gravity * dt
+    friction = (1 - abs(steepness)) * coefficient * gravity
+    sign = 1 if velocity >= 0 else -1
+    return max(abs(velocity) - friction * dt, 0) * sign
+
+
+def test_the_printed_rules_are_those_of_the_figure():
+    random = physics.Random(6)
+    slopes = physics.directions(random)
+    for _ in range(500):
+        slope, dt = next(slopes), Fraction(1, random.randint(4, 60))
+        velocity, coefficient = physics.any_number(random, 8) * random.choice([-1, 1]), physics.any_number(random, 2)
+        motion = Motion(velocity, any_material(friction=coefficient), GRAVITY, ZERO)
+        expected = figure_6_7(velocity, slope.steepness, coefficient, GRAVITY, dt)
+        assert simulate_tick(PRINTED, motion, slope, dt).velocity == expected
+
+
+def test_mass_matters_for_a_force_only():
+    for mass in (ONE, 3 * ONE):
+        material = replace(any_material(friction=ONE / 4), mass=mass)
+        pulled, pushed = (Motion(ONE, material, GRAVITY, force) for force in (ZERO, 6 * ONE))
+        first, second = (simulate_tick(MENDED, one, Slope(ONE, ZERO), TICK).velocity for one in (pulled, pushed))
+        assert first == 1 - GRAVITY / 4 * TICK
+        assert second - first == 6 / mass * TICK

@@ -39,10 +39,10 @@ class MaterialRecord(Record, frozen=True):
 
     friction: Annotated[Number, says("its coefficient of friction")] = "0"
     drag: Annotated[
-        Number, says("by what its velocity is multiplied in each tick, from 0 to 1; only under the profiles `thesis`")
+        Number, says("by what its velocity is multiplied in each tick, from 0 to 1; only under printed velocities")
     ] = "1"
     damping: Annotated[
-        Number, says("how much velocity it loses for each unit of length, per second; only under `repaired`")
+        Number, says("how much velocity it loses for each unit of way, in 1 per second; only under mended velocities")
     ] = "0"
     slowest: Annotated[Number, says("its least speed, in units of length per second; if it is slower, it stands")] = "0"
     fastest: Annotated[

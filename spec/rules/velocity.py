@@ -39,7 +39,7 @@ class Material(Generic[N]):
     Attributes:
         friction: its coefficient of friction; 0 for a body without a material.
         drag: as printed, the factor from 0 to 1 by which velocity is multiplied in each tick; 1 for none.
-        damping: mended, how much velocity is lost for each unit of length, per second; 0 for none.
+        damping: mended, how much velocity is lost for each unit of way, in 1 per second; 0 for none.
         slowest: the least speed; one that is slower stands. `fastest` is the greatest, or None if there is none.
         mass: in units of mass; the thesis has 1.
     """
@@ -486,7 +486,7 @@ DRAG: AnyFamily = Family(
     (
         Rule(
             id="velocity/drag",
-            sentence="Drag divides the velocity by 1 and the damping times the tick: what it takes is the damping "
+            sentence="Drag divides the velocity by 1 plus the damping times the tick: what it takes is the damping "
             "times the way made in the tick.",
             source="6.3.1; R27, A37, P10",
             guard=(),
