@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import Any, Protocol
 
 from spec.number import N, Truth, greater, zero_like
@@ -38,19 +39,21 @@ class Wide(View[N, B, P], Protocol[N, B, P]):
         """How far the first body on a string is from the near end of it; None if nobody is there."""
 
 
-def departing(seen: Callable[..., Departure[Any, Any]]) -> Callable[[Rules], Rules]:
-    """Rules under which a body that leaves sees `seen(leaving, body)`, where `leaving` is what it saw before."""
+Seen = Callable[[Departure[Any, Any], Any], Departure[Any, Any]]
+"""What a body that leaves sees, by what it saw before and who it is."""
 
-    def mended(rules: Rules) -> Rules:
-        before = rules.depart
 
-        def depart(rules: Rules, view: Any, body: Any, front: Any, rear: Any, moved: Any) -> Departure[Any, Any]:
-            leaving = before(rules, view, body, front, rear, moved)
-            return seen(leaving, body) if view.reach(rear) < zero_like(moved) else leaving
+def departing(seen: Seen, rules: Rules) -> Rules:
+    """Rules under which a body that leaves sees something else."""
+    return replace(rules, depart=partial(depart_seeing, rules.depart, seen))
 
-        return replace(rules, depart=depart)
 
-    return mended
+def depart_seeing(
+    before: Depart, seen: Seen, rules: Rules, view: View[N, B, P], body: B, front: P, rear: P, moved: N
+) -> Departure[N, P]:
+    """Look as before; with the rear border beyond the end of its edge, see something else."""
+    leaving = before(rules, view, body, front, rear, moved)
+    return seen(leaving, body) if view.reach(rear) < zero_like(moved) else leaving
 
 
 def near_with_margin(leaving: Departure[N, P], body: Any) -> Departure[N, P]:
@@ -95,34 +98,34 @@ def in_place(leaving: Departure[N, P], near_end: P) -> P:
     return walk_freely(leaving.walk, view, near_end, greater(view.across(near_end, rear) - short, zero_like(across))).at
 
 
-def landing(choice: Landing) -> Callable[[Rules], Rules]:
+def landing(choice: Landing, rules: Rules) -> Rules:
     """Rules with another landing."""
-    return lambda rules: replace(rules, landing=choice)
+    return replace(rules, landing=choice)
 
 
 MARGIN_IN_JUMP_TEST = Mend(
     "mend/margin-in-jump-test",
     "Jump edges count whose horizontal distance is less than the width and the margin.",
     "6.2.1; R24, R25, A20",
-    departing(near_with_margin),
+    partial(departing, near_with_margin),
 )
 ANY_THAT_LEADS_UP = Mend(
     "mend/any-that-leads-up",
     "A ledge at which any near jump edge leads up is obstructed, whatever others there are.",
     "6.2.1; R25, A23",
-    departing(up_obstructs),
+    partial(departing, up_obstructs),
 )
 LOOK_AT_LANDING = Mend(
     "mend/look-at-landing",
     "Where anybody stands within the width and the margin of a landing, nobody falls or jumps there.",
     "6.2.1; O4, U9",
-    departing(landings_seen),
+    partial(departing, landings_seen),
 )
 LANDING_IN_PLACE = Mend(
     "mend/landing-in-place",
     "A body that falls or jumps keeps its horizontal position, but as far as it fits before a wall.",
     "1.2, 6.2.1d, 6.2.1e; R33, A15, A16, A19, U11",
-    landing(in_place),
+    partial(landing, in_place),
 )
 
 MENDS: tuple[Mend, ...] = (MARGIN_IN_JUMP_TEST, ANY_THAT_LEADS_UP, LOOK_AT_LANDING, LANDING_IN_PLACE)

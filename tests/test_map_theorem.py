@@ -1,6 +1,8 @@
 """The theorem table: sets of conditions against brute force, surveys that find what is known, wrong mends noticed."""
 
+import pickle
 import re
+from functools import partial
 from itertools import combinations
 from random import Random
 
@@ -78,7 +80,7 @@ def test_a_wrong_mend_is_noticed():
     def beyond(leaving, near_end):
         return leaving.view.along(near_end, leaving.moved)
 
-    wrong = Mend("mend/wrong", "A body lands as far on as it has moved.", "6.2.1d; A15", landing(beyond))
+    wrong = Mend("mend/wrong", "A body lands as far on as it has moved.", "6.2.1d; A15", partial(landing, beyond))
     found = breaches(trails([ALONE_AT_A_PIT], mended(THESIS, [wrong])), NAMES)
     assert TERRAIN.id in found
     assert TERRAIN.id not in breaches(trails([ALONE_AT_A_PIT], THESIS), NAMES)
@@ -140,3 +142,8 @@ def test_what_no_case_tells_is_missed_in_the_catalogue(monkeypatch):
     found = trails([BELOW_A_DROP], THESIS, catalogue=True)
     assert {one.promise for one in first_uncatalogued(found, "nothing at all")} == {PLANE_MARGIN.id, HORIZONTAL.id}
     assert first_uncatalogued(found, "no case happened but U9") == []
+
+
+def test_jobs_can_be_sent_to_processes():
+    for name, job in PART.jobs().items():
+        assert pickle.loads(pickle.dumps(job)).func is job.func, name
