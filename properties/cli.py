@@ -394,7 +394,11 @@ def mutants(
 
     prepare_export(export)
     if record:
-        found = record_all(lambda name, kills: print(f"{name}\n    {kills[0].by if kills else 'SURVIVES'}", flush=True))
+        try:
+            found = record_all(read_record(), lambda *told: print(*told, file=sys.stderr, flush=True))
+        except KeyboardInterrupt:
+            print("graphbody: interrupted; what was found is kept, the next run goes on from there", file=sys.stderr)
+            raise typer.Exit(130) from None
         write_record(found)
         PAGE.write_text(page_of(found))
     known = read_record()

@@ -9,6 +9,7 @@ import z3
 from properties.engine import explore as engine
 from properties.engine.explore import Counterexample, EngineError, Outcome, explore
 from properties.engine.merge import merged
+from properties.engine.reals import Symbolic
 from properties.engine.simplest import smallest
 from properties.given import Exact, Infeasible
 
@@ -291,6 +292,64 @@ def test_a_program_that_draws_without_end_is_refused(monkeypatch):
         explore(program)
 
 
+def test_as_many_truths_may_be_drawn_as_the_bound_says(monkeypatch):
+    def program(given):
+        drawn = [given.flag(str(number)) for number in range(5)]
+        given.ensure("something", len(drawn) > 0)
+
+    monkeypatch.setattr(engine, "MOST_DRAWN", 5)
+    assert explore(program).paths == 2**5
+
+
+def witnesses_made(monkeypatch, program):
+    """How many witnesses an exploration makes."""
+    made, real = [], engine.Exploration.witness
+
+    def noted(self, path):
+        made.append(path)
+        return real(self, path)
+
+    monkeypatch.setattr(engine.Exploration, "witness", noted)
+    explore(program)
+    return len(made)
+
+
+def test_one_witness_is_made_of_many_paths(monkeypatch):
+    def program(given):
+        given.flag("a")
+        given.ensure("something", given.number("b") >= 0)
+
+    assert witnesses_made(monkeypatch, program) == 1
+
+
+def test_no_witness_is_made_where_something_is_open(monkeypatch):
+    def program(given):
+        given.ensure("something", given.number("a") >= 0)
+
+    monkeypatch.setattr(engine.Exploration, "possible", lambda self, *formulas: None)
+    assert witnesses_made(monkeypatch, program) == 0
+
+
+def test_the_solver_is_asked_no_more_than_it_has_to_be():
+    def program(given):
+        a = given.number("a")
+        for bound in range(3):
+            if a > bound:
+                given.ensure("something", a > 0)
+        given.ensure("something", a >= 0)
+
+    assert explore(program).checks == 15
+
+
+def test_a_budget_that_is_too_small_leaves_it_open(monkeypatch):
+    def program(given):
+        numbers = [given.natural(str(place)) for place in range(4)]
+        given.ensure("something", numbers[0] * 6 + numbers[1] * 10 + numbers[2] * 15 != numbers[3] * 30 + 1)
+
+    monkeypatch.setattr(engine, "CHECK_BUDGET", 1)
+    assert explore(program).open
+
+
 def test_a_promise_before_a_program_gives_up_is_judged():
     def program(given):
         given.ensure("never", given.number("a") < 0)
@@ -359,6 +418,19 @@ def test_a_comparison_is_the_same_however_it_is_written():
     outcome = explore(program)
     assert outcome.proved
     assert outcome.paths == 1
+
+
+def test_a_comparison_is_one_formula_by_whatever_it_is_multiplied():
+    a = Symbolic.of("a")
+    assert (a * 2 < 4).formula.eq((a < 2).formula)
+
+
+def test_a_quotient_by_a_known_number_is_less():
+    def program(given):
+        a = given.number("a")
+        given.ensure("a third", a * 6 / 3 == a * 2)
+
+    assert explore(program).proved
 
 
 def test_a_comparison_of_known_numbers_is_a_plain_truth():

@@ -2,38 +2,44 @@
 
 import subprocess
 import sys
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 
 import pytest
 
 from properties.contracts.judging import bank, broken
+from properties.engine.explore import explore
 from properties.evidence.mutants.contracts import (
     PREMISES,
     failure,
-    of_contracts,
     of_obligations,
     said_otherwise,
 )
-from properties.evidence.mutants.engine import of_engine
+from properties.evidence.mutants.equal import EQUAL, boxes_of_bodies, proved_equal
 from properties.evidence.mutants.invariants import of_invariants
 from properties.evidence.mutants.mutant import Mutant
+from properties.evidence.mutants.outings import kills_by_storeys
 from properties.evidence.mutants.record import Record, read_record, write_record
-from properties.evidence.mutants.rules import CHAPTERS, of_rules
-from properties.evidence.mutants.run import BANK, complaints, lost
+from properties.evidence.mutants.rules import chapters_of, families_of, of_rules, of_steps
+from properties.evidence.mutants.run import BANK, GROUPS, Found, all_of, complaints, job_of, lost
+from properties.evidence.mutants.stepped import kill_of_judge, of_judges
 from properties.evidence.mutants.trial import (
     Kill,
     attempt,
     crash_of,
-    functions_called,
+    facts_of,
     interface,
     miscounted,
     no_change,
     programs,
     replayed,
 )
+from properties.evidence.sources import sources
+from properties.evidence.store import Store
 from spec.plane import IN_PLANE
-from spec.profiles import THESIS
+from spec.profiles import REPAIRED, THESIS
 from spec.registry import rules_of
 
 MARGIN = "request/segment-keeps-margin"
@@ -54,16 +60,22 @@ def margin_kill() -> Kill:
     return found
 
 
-def test_there_are_mutants_of_every_guard_and_effect_and_of_every_chapter():
-    names = list(of_rules())
-    for rule in rules_of(THESIS):
+@pytest.mark.parametrize(("profile", "mutants"), [(THESIS, of_rules), (REPAIRED, of_steps)])
+def test_there_are_mutants_of_every_guard_and_effect_and_of_every_chapter(profile, mutants):
+    names = list(mutants())
+    assert [rule for family in families_of(profile) for rule in family.rules] == rules_of(profile)
+    for rule in rules_of(profile):
         for conjunct in rule.guard:
             assert {f"{rule.id}: {way} {conjunct.__name__}" for way in ("drop", "negate")} <= set(names)
-    assert {name.partition(".")[0] for name in names if "/" not in name.partition(":")[0]} == set(CHAPTERS)
-    assert {name.partition(":")[0] for name in names if name.startswith("reading/")} >= {"reading/push-limit"}
+    chapters = {chapter.rpartition(".")[2] for chapter in chapters_of(profile)}
+    assert {name.partition(".")[0] for name in names if "/" not in name.partition(":")[0]} == chapters
 
 
-@pytest.mark.parametrize("mutants", [of_rules, of_contracts, of_obligations, of_invariants, of_engine])
+def test_there_are_mutants_of_the_readings():
+    assert any(name.startswith("reading/push-limit: ") for name in of_rules())
+
+
+@pytest.mark.parametrize("mutants", [*GROUPS.values()])
 def test_a_mutant_is_put_in_place_and_taken_back(mutants):
     for one in list(mutants().values())[::20]:
         own = getattr(one.target, one.attribute)
@@ -134,7 +146,7 @@ def test_a_wrong_engine_is_caught_by_one_of_its_tests():
 
 def calls_of(name: str) -> dict[str, frozenset[str]]:
     """The functions that an obligation runs."""
-    return {name: functions_called(name)}
+    return {name: facts_of(name).calls}
 
 
 def test_a_change_that_changes_nothing_is_proved_to():
@@ -174,6 +186,48 @@ def test_the_record_is_about_what_there_is(monkeypatch):
     assert list(lost(short)) == [f"{name}: a mutant that is not recorded"]
     (wrong,) = lost(replace(record, premises={**record.premises, few: ()}))
     assert wrong.startswith(f"{few}: assumes ")
+
+
+def test_a_wrong_rule_of_a_step_is_caught_by_name_in_a_world_in_which_it_fails_again():
+    late = mutant_of(of_steps(), "event.time_left: ", "* nearing.speed")
+    with late.in_place():
+        kill = next(kills_by_storeys())
+    assert kill.by.startswith("storeys: ")
+    assert complaints({}, "steps", late.name, [kill]) == []
+    assert complaints({}, "steps", late.name, [replace(kill, broken=("invariant/another",))]) != []
+
+
+def test_an_invariant_of_steps_that_lets_a_wrong_step_pass_is_caught_by_it():
+    wrong = mutant_of(of_steps(), "event.time_left: ", "* nearing.speed")
+    with wrong.in_place():
+        caught = {wrong.name: list(kills_by_storeys())}
+    careless = mutant_of(of_judges(), "is_held: storey >= 0 instead of storey == 0")
+    kill = kill_of_judge(careless, caught)
+    assert kill is not None
+    assert kill.on == wrong.name
+    assert kill.broken == ()
+
+
+def test_what_is_the_same_is_proved_to_be_and_what_is_not_is_not():
+    names = {**of_invariants(), **of_steps()}
+    assert all(proved_equal(names[name]) is not None for name in EQUAL)
+    other = mutant_of(names, "plane.box: circumference is not None instead of circumference is not None and right")
+    assert explore(partial(boxes_of_bodies, other)).counterexample is not None
+
+
+def test_a_record_goes_on_where_it_stopped(tmp_path):
+    store, work = Store(tmp_path, sources(), Found), {job_of("rules", "a"): found_nothing}
+    done = []
+    with ThreadPoolExecutor(1) as executor:
+        for _ in range(2):
+            found = all_of(executor, store, "rules", work, lambda what, some, total: done.append(some))
+            assert found == [Found((), "a reason")]
+    assert done == [0, 1, 1]
+
+
+def found_nothing() -> Found:
+    """What a mutant may be found to be."""
+    return Found((), "a reason")
 
 
 def test_there_is_a_page_of_the_record():

@@ -210,6 +210,14 @@ CLAIMS: tuple[Claim, ...] = (
         "4.2, 6.2.1c; R6, R20",
         steps.speeds_are_wished,
     ),
+    proved(
+        "tops-are-chosen",
+        "settle/jump",
+        "Of two tops a body takes the last one in the direction of its motion; without motion the one that it is over "
+        "most, and of equals the first in the level's order.",
+        "6.2.1e; R22, R25, A21, A23",
+        steps.tops_are_chosen,
+    ),
     Claim(
         id="claim/whole-steps",
         family="steps",

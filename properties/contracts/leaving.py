@@ -73,18 +73,19 @@ def leaving_keeps_its_contract(rules: Rules, given: Given) -> None:
 def jumps_lead_down_least(rules: Rules, given: Given) -> None:
     """A body falls only where no jump edge is near; it jumps to a free end that does not lead up, and down least."""
     rule, leaving, placed = leaves(rules, given)
-    if rule == "leave/fall":
+    if landed_at(placed, leaving.foot):
         given.ensure("nothing obstructs the fall", not leaving.near)
+    if rule == "leave/fall":
         given.ensure("it lands at the foot", landed_at(placed, leaving.foot))
     if rule == "leave/jump":
         chosen = [jump for jump in leaving.near if landed_at(placed, jump.target)]
-        given.ensure("it lands at the end of a jump edge", len(chosen) == 1)
+        given.ensure("it lands at the end of a jump edge", bool(chosen))
         for jump in chosen:
             given.ensure("the jump does not lead up, and its end is free", (jump.drop >= 0) & jump.free)
             for place, other in enumerate(leaving.near):
                 earlier = place < next(i for i, one in enumerate(leaving.near) if one is jump)
                 longer = other.across > jump.across if earlier else other.across >= jump.across
-                shorter = (other.drop > jump.drop) | ((other.drop == jump.drop) & longer)
+                shorter = (other.drop > jump.drop) | ((other.drop >= jump.drop) & longer)
                 better = "no other that may be used leads down less, or as little and is shorter or earlier"
                 given.ensure(better, negated(may_be_used(other)) | shorter)
     if rule == "leave/blocked":
@@ -115,7 +116,7 @@ def fit_places_the_whole_width(rules: Rules, given: Given) -> None:
     seen = lonely_window(given, ledges=True)
     motion = Motion(seen.start, rest=given.number("width left"))
     front = seen_by(given, rules).fit.choose(motion).effect((seen, motion))
-    given.ensure("the whole width is placed", front.travelled == seen.start.travelled + motion.rest)
+    given.ensure("the whole width is placed", front.travelled == motion.rest)
 
 
 def lands_at_the_near_end(rules: Rules, given: Given) -> None:
@@ -147,10 +148,13 @@ def near_jumps_are_as_short(rules: Rules, given: Given) -> None:
     foot = spot(given, "foot")
     seen = replace(lonely_window(given, ledges=True), body_width=width, jump_edges=(jump,), below=foot)
     moved, front = given.number("distance moved"), spot(given, "front after the move")
-    leaving = depart(seen_by(given, rules), seen, ME, front, seen.start, moved)
+    own = seen_by(given, rules)
+    leaving = depart(own, seen, ME, front, seen.start, moved)
     gone = seen.start.reach < 0
     near = (jump.across >= 0) & (jump.across < width) & gone
     given.ensure("a near jump edge is found, and no other", near == (len(leaving.near) == 1))
     given.ensure("the fall edge is found", gone == (leaving.foot is foot))
-    same = leaving.front is front and leaving.rear is seen.start and leaving.landing is rules.landing
+    theirs = leaving.walk is own.walk and leaving.fit is own.fit and leaving.landing is own.landing
+    given.ensure("it lands by these rules", theirs)
+    same = leaving.front is front and leaving.rear is seen.start
     given.ensure("it leaves from where it is", same & (leaving.moved == moved) & (leaving.width == width))

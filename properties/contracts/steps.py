@@ -17,6 +17,7 @@ from spec.invariants import every
 from spec.number import greater
 from spec.profiles import SteppedProfile
 from spec.rules.row import Meeting, Member, Relay, Turn, cut_back
+from spec.rules.settle import Footing, Top
 from spec.rules.step import StepRules
 from spec.rules.wish import Urge
 from spec.stepped import OF_ONE_STEP, STEP_MIRROR, STEP_SPLIT
@@ -103,6 +104,24 @@ def squeezed_bodies_stand(rules: StepRules, given: Given) -> None:
         given.ensure("it passes nothing on", not part.pushes)
     else:
         given.ensure("else it is as it was", every([part.wish == member.wish, part.walls == member.walls]))
+
+
+def tops_are_chosen(rules: StepRules, given: Given) -> None:
+    """Any body over two tops and over no ground: the last one in the direction of its motion; without motion the one
+    that it is over most, and of equals the first in the level's order.
+    """
+    motion = given.number("motion to the right") - given.number("motion to the left")
+    names = (1, 2) if given.flag("the one on the left is the first") else (2, 1)
+    left, right = (Top(name, given.number("over") - given.number(f"beside {name}")) for name in names)
+    footing = Footing(0, holds=False, ground=False, tops=(left, right), motion=motion)
+    found = rules.settle.choose(footing).effect(footing)
+    chosen, other = (left, right) if found.support == left.body else (right, left)
+    given.ensure("it stands on one of them", found.stands and found.support == chosen.body)
+    if motion > 0 or motion < 0:
+        given.ensure("it is the last one in its motion", chosen is (right if motion > 0 else left))
+    else:
+        no_more = chosen.overlap >= other.overlap if chosen.body < other.body else chosen.overlap > other.overlap
+        given.ensure("it is over no other more, or as much if that is first", no_more)
 
 
 def speeds_are_wished(rules: StepRules, given: Given) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 BUILD = Path("build")
-WITNESSES, JOBS, FOUND = BUILD / "witnesses", BUILD / "jobs", BUILD / "map"
+WITNESSES, JOBS, FOUND, MUTANTS = BUILD / "witnesses", BUILD / "jobs", BUILD / "map", BUILD / "mutants"
 RESULTS, RESULTS_LONG = BUILD / "results.json", BUILD / "results-long.json"
 
 LISTED = "obligations.json"

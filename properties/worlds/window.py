@@ -161,7 +161,7 @@ class Capacity:
 
 
 def capacity(given: Given, seen: Window) -> Capacity:
-    """Any capacities that a window can have: no wall stands on its edges, and the neighbour heeds the wall too."""
+    """Any capacities that a window can have: no wall stands on its edges."""
     neighbour = given.number("capacity of the neighbour")
     if seen.next_length is None:
         wall: Any | None = seen.start.reach
@@ -169,6 +169,4 @@ def capacity(given: Given, seen: Window) -> Capacity:
         wall = seen.start.reach + seen.next_length + given.number("distance from the next edge to the wall")
     else:
         wall = None
-    if seen.neighbour and wall is not None:
-        given.assume(seen.gap_before + neighbour <= wall, "the neighbour heeds the wall")
     return Capacity(neighbour, wall)

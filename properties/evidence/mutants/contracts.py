@@ -12,8 +12,9 @@ from functools import cache
 
 from properties.evidence.mutants.mutant import Mutant, mutants_of, told_apart
 from properties.evidence.mutants.operators import WEAKENING
-from properties.evidence.mutants.rules import of_rules
+from properties.evidence.mutants.rules import of_rules, of_steps
 from properties.evidence.mutants.trial import CRASHES, Kill, explored, kills_by_proofs, replayed, said_by, told
+from properties.evidence.mutants.worlds import of_worlds
 from properties.evidence.showing import texts
 
 CONTRACTS = ("properties.contracts.contract",)
@@ -22,6 +23,9 @@ OBLIGATIONS = (
     "properties.contracts.lemma",
     "properties.contracts.leaving",
     "properties.contracts.families",
+    "properties.contracts.ticks",
+    "properties.contracts.steps",
+    "properties.contracts.step_families",
     "properties.worlds.window",
 )
 PREMISES = "other premises"
@@ -51,8 +55,8 @@ def of_obligations() -> dict[str, Mutant]:
 
 
 def wrong_one(name: str) -> Mutant:
-    """A mutant that obligations catch: of the rules, or of the contracts."""
-    return of_rules()[name] if name in of_rules() else of_contracts()[name]
+    """A mutant that obligations or invariants catch: of the rules, of the worlds, or of the contracts."""
+    return next(mutants[name] for mutants in (of_rules(), of_steps(), of_worlds(), of_contracts()) if name in mutants)
 
 
 def kills_of_contract(

@@ -86,7 +86,7 @@ def function_of(module: str, name: str) -> FunctionType:
     found: Any = importlib.import_module(module)
     for part in name.split("."):
         found = vars(found)[part]
-    found = found.fget if isinstance(found, property) else getattr(found, "__func__", found)
+    found = found.fget if isinstance(found, property) else getattr(found, "__func__", getattr(found, "func", found))
     if hasattr(found, "cache_clear"):
         REMEMBERED[id(found.__wrapped__)] = found
     bare = getattr(found, "__wrapped__", found)

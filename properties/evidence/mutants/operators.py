@@ -28,14 +28,67 @@ OF_FORM = ("strict", "model_completion", "som", "arith_lhs", "sort_sums")
 LENGTHS = ("moved", "stride", "rest", "distance")
 TWICE = ("yield Ask", "yield from rules", "rules.follow", "rules.leave", "view.place")
 BOTH_SIDED = ("view", "leaving", "placement", "jump", "other", "best", "placed")
+SEGMENT = "rules.segment(rules, view, body, motion, spare)"
+DEPART = "depart(rules, view, body, motion.at, rear, tow.moved)"
+BY_HAND: dict[str, tuple[str, ...]] = {
+    SEGMENT: (
+        "rules.segment(replace(rules, walk=rules.fit), view, body, motion, spare)",
+        "rules.segment(rules, replace(view), body, motion, spare)",
+        "rules.segment(rules, view, view.ahead(body, motion.at), motion, spare)",
+        "rules.segment(rules, view, body, motion, spare + spare)",
+        "rules.segment(rules, view, body, replace(motion, rest=motion.rest + motion.rest), spare)",
+        "rules.segment(rules, view, body, replace(motion, rest=motion.rest * 0), spare)",
+    ),
+    "Tow(view, rules.walk, view.rear(body), distance - motion.rest)": (
+        "Tow(replace(view), rules.walk, view.rear(body), distance - motion.rest)",
+        "Tow(view, rules.fit, view.rear(body), distance - motion.rest)",
+        "Tow(view, rules.walk, motion.at, distance - motion.rest)",
+    ),
+    "rules.follow.choose(tow).effect(tow)": ("view.rear(body)",),
+    DEPART: (
+        "depart(rules, view, body, view.front(body), rear, tow.moved)",
+        "depart(rules, view, body, motion.at, view.rear(body), tow.moved)",
+    ),
+    "rules.leave.choose(leaving).effect(leaving)": ("Placement(motion.at, rear, tow.moved)",),
+    "placement.moved": ("placement.moved + placement.moved",),
+    "walk=rules.walk": ("walk=rules.fit",),
+    "fit=rules.fit": ("fit=rules.walk",),
+    "landing=rules.landing": ("landing=rules.walk",),
+    "near=near": ("near=near + near",),
+    "lesser(motion.rest, reach)": (
+        "lesser(motion.rest, reach) * motion.at.edge",
+        "lesser(motion.rest, reach) * (1 - motion.at.edge)",
+    ),
+    "other is not None and asked is not None": (
+        "other is not None and asked is not None and motion.at.edge",
+        "other is not None and asked is not None and not motion.at.edge",
+    ),
+    "self.spare > 0 and self.pushes": (
+        "self.spare > 0 and self.pushes and (self.neighbour is None or self.neighbour < self.margin)",
+    ),
+    "Way(motion.rest, blocked=False)": ("Way(distance, blocked=False)", "Way(motion.rest * 0, blocked=False)"),
+    "walk_freely(tow.walk, tow.view, tow.rear, tow.moved).at": (
+        "tow.view.along(tow.rear, tow.moved)",
+        "tow.view.along(tow.rear, tow.moved + tow.moved)",
+    ),
+}
+"""What stands for an expression, where something wrong is wanted that no operator makes."""
+BY_HAND_NAMES = {"replace", "Placement"}
 
 
 def other_bound(node: ast.AST) -> Iterator[ast.AST]:
-    """`<` for `<=`, and the other way round; `<=` and `>=` for `==`."""
-    if isinstance(node, ast.Compare):
+    """`<` for `<=`, and the other way round; `<=` and `>=` for `==`, or `!=` where there is no order."""
+    if isinstance(node, ast.Compare) and isinstance(node.ops[0], ast.Eq) and has_no_order(node.comparators[0]):
+        yield ast.Compare(node.left, [ast.NotEq()], node.comparators)
+    elif isinstance(node, ast.Compare):
         for place, own in enumerate(node.ops):
             for other in OTHER_BOUND.get(type(own), ()):
                 yield ast.Compare(node.left, [*node.ops[:place], other(), *node.ops[place + 1 :]], node.comparators)
+
+
+def has_no_order(value: ast.expr) -> bool:
+    """Whether a value is an answer of the solver or a formula."""
+    return ast.unparse(value).startswith(("z3.", "formula_of("))
 
 
 def fewer_terms(node: ast.AST) -> Iterator[ast.AST]:
@@ -44,18 +97,24 @@ def fewer_terms(node: ast.AST) -> Iterator[ast.AST]:
         yield ast.BinOp(node.left, node.op, times_zero(node.right))
 
 
-def fewer_exact_terms(node: ast.AST) -> Iterator[ast.AST]:
-    """A sum or a difference without its second term, unless that is the tolerance, which is 0 on exact numbers."""
-    if isinstance(node, ast.BinOp) and not ast.unparse(node.right).endswith("tolerance"):
-        yield from fewer_terms(node)
-
-
 def other_term(node: ast.AST) -> Iterator[ast.AST]:
-    """A sum or a difference with the other sign, and with its second term twice."""
+    """A sum or a difference with the other sign, and with its second term twice; a product for a quotient."""
+    if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Div):
+        yield ast.BinOp(node.left, ast.Mult(), node.right)
     if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add | ast.Sub) and not of_sets(node):
         flipped = ast.Sub() if isinstance(node.op, ast.Add) else ast.Add()
         yield ast.BinOp(node.left, flipped, node.right)
         yield ast.BinOp(node, node.op, node.right)
+
+
+def exactly(operator: Operator) -> Operator:
+    """An operator that leaves alone what a tolerance is added to or taken from: it is 0 on exact numbers."""
+
+    def exact(node: ast.AST) -> Iterator[ast.AST]:
+        if not (isinstance(node, ast.BinOp) and ast.unparse(node.right).endswith("tolerance")):
+            yield from operator(node)
+
+    return exact
 
 
 def of_sets(node: ast.expr) -> bool:
@@ -115,7 +174,7 @@ def another_time(node: ast.AST) -> Iterator[ast.AST]:
     if value is not None and ast.unparse(value).lstrip("(").startswith(TWICE):
         assert isinstance(node, ast.stmt)
         yield ast.If(ast.Constant(True), [node, node], [])
-    if isinstance(node, ast.While):
+    if isinstance(node, ast.While) and not any(isinstance(one, ast.Break | ast.Continue) for one in ast.walk(node)):
         yield ast.If(node.test, node.body, [])
 
 
@@ -133,6 +192,8 @@ def other_argument(node: ast.AST) -> Iterator[ast.AST]:
                 yield with_argument(node, place, ast.Name(SAME_KIND[own.id], ast.Load()))
             if isinstance(own, ast.Name) and own.id == "spare":
                 yield with_argument(node, place, ast.BinOp(own, ast.Sub(), ast.Constant(1)))
+    if isinstance(node, ast.keyword) and isinstance(node.value, ast.Name) and node.value.id == node.arg in SAME_KIND:
+        yield ast.keyword(node.arg, ast.Name(SAME_KIND[node.arg], ast.Load()))
 
 
 def with_argument(call: ast.Call, place: int, other: ast.expr) -> ast.Call:
@@ -140,7 +201,23 @@ def with_argument(call: ast.Call, place: int, other: ast.expr) -> ast.Call:
     return ast.Call(call.func, [*call.args[:place], other, *call.args[place + 1 :]], call.keywords)
 
 
-WEAKENING: tuple[Operator, ...] = (other_bound, fewer_exact_terms, fewer_conjuncts, opposite, no_effect)
+def other_length(node: ast.AST) -> Iterator[ast.AST]:
+    """Nothing, and twice as much, for a length that is handed on by its name."""
+    if isinstance(node, ast.keyword) and node.arg in (*LENGTHS, "width") and isinstance(node.value, ast.Name):
+        yield ast.keyword(node.arg, times_zero(node.value))
+        yield ast.keyword(node.arg, ast.BinOp(node.value, ast.Add(), node.value))
+
+
+def by_hand(node: ast.AST) -> Iterator[ast.AST]:
+    """What is made by hand, for an expression or for an argument with its name."""
+    if isinstance(node, ast.expr | ast.keyword):
+        for other in BY_HAND.get(ast.unparse(node), ()):
+            call = ast.parse(f"dict({other})", mode="eval").body
+            assert isinstance(call, ast.Call)
+            yield from (*call.args, *call.keywords)
+
+
+WEAKENING: tuple[Operator, ...] = (other_bound, exactly(fewer_terms), fewer_conjuncts, opposite, no_effect, by_hand)
 OPERATORS: tuple[Operator, ...] = (
     other_bound,
     fewer_terms,
@@ -152,12 +229,26 @@ OPERATORS: tuple[Operator, ...] = (
     another_time,
     other_side,
     other_argument,
+    other_length,
+    by_hand,
 )
+
+
+EXACT: tuple[Operator, ...] = tuple(map(exactly, OPERATORS))
 
 
 def times_zero(term: ast.expr) -> ast.expr:
     """A term that is 0, of the same kind of number."""
     return ast.BinOp(term, ast.Mult(), ast.Constant(0))
+
+
+def promised(function: ast.FunctionDef) -> set[int]:
+    """The identities of nodes in what is ensured. True rules keep a promise, so of them a weaker one says the same;
+    only a wrong rule tells.
+    """
+    calls = [one for one in ast.walk(function) if isinstance(one, ast.Call) and isinstance(one.func, ast.Attribute)]
+    said = [argument for call in calls if ast.unparse(call.func) == "given.ensure" for argument in call.args]
+    return {id(node) for root in said for node in ast.walk(root)}
 
 
 def unread(function: ast.FunctionDef) -> set[int]:
@@ -170,7 +261,7 @@ def unread(function: ast.FunctionDef) -> set[int]:
 @dataclass(frozen=True)
 class Variant:
     """A function with one change. `probe` is the function as it is, with both the old and the new expression told to
-    `alike`, if it is an expression that is changed and has no effect of its own.
+    `alike`, if it is an expression that is changed, has no effect of its own, and is not part of a promise.
     """
 
     change: str
@@ -181,12 +272,14 @@ class Variant:
 def variants(function: ast.FunctionDef, operators: Sequence[Operator]) -> Iterator[Variant]:
     """A function with one change, for each place and each operator that fits it."""
     nodes, known, passive = list(ast.walk(ast.Module(function.body, []))), names_in(function), unread(function)
+    told_by_wrong_ones = promised(function)
     for place, node in enumerate(nodes):
         if id(node) in passive:
             continue
         for other in (other for operator in operators for other in operator(node)):
-            if names_in(other) <= known:
-                yield Variant(told(node, other), replaced(function, place, other), probe(function, place, node, other))
+            if names_in(other) <= known | BY_HAND_NAMES:
+                probing = None if id(node) in told_by_wrong_ones else probe(function, place, node, other)
+                yield Variant(told(node, other), replaced(function, place, other), probing)
 
 
 def probe(function: ast.FunctionDef, place: int, node: ast.AST, other: ast.AST) -> ast.FunctionDef | None:

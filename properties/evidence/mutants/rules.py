@@ -3,16 +3,29 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
+from dataclasses import fields
 from functools import cache
 from typing import Any
 
 from properties.evidence.mutants.mutant import Mutant, called, mutants_of, told_apart
-from spec.profiles import OVERSHOOT, THESIS
+from spec.profiles import OVERSHOOT, REPAIRED, THESIS, AnyProfile
 from spec.readings import LANDING, LANDING_OVERSHOOT, PUSH_LIMIT, TICK_ORDER, as_listed, number_of_bodies
-from spec.rule import AnyRule, Family
-from spec.rules.request import FAMILIES
+from spec.rule import AnyFamily, AnyRule, Family
 
-CHAPTERS = ("clearance", "push", "walk", "leave", "request")
+PUT_TOGETHER = ("Rules.through", "StepRules.through", "StepRules.row")
+
+
+def families_of(profile: AnyProfile) -> list[AnyFamily]:
+    """The families of a profile, as its rules list them."""
+    listed = (getattr(profile.rules, one.name) for one in fields(profile.rules))
+    return [one for one in listed if isinstance(one, Family)]
+
+
+def chapters_of(profile: AnyProfile) -> list[str]:
+    """The modules in which the rules of a profile are written, and the one that puts them together."""
+    rules = [rule for family in families_of(profile) for rule in family.rules]
+    own = [function.__module__ for rule in rules for function in (*rule.guard, rule.effect)]
+    return list(dict.fromkeys([*own, type(profile.rules).__module__]))
 
 
 def reached_by(rule: AnyRule) -> frozenset[str]:
@@ -34,7 +47,7 @@ def guard_mutants(rule: AnyRule) -> Iterator[Mutant]:
         yield Mutant(rule.id, f"negate {name}", rule, "guard", turned, reached_by(rule))
 
 
-def effect_mutants(family: Family[Any, Any]) -> Iterator[Mutant]:
+def effect_mutants(family: AnyFamily) -> Iterator[Mutant]:
     """Each rule of a family with each other effect of the family."""
     effects = list(dict.fromkeys(rule.effect for rule in family.rules))
     for rule in family.rules:
@@ -74,12 +87,20 @@ def reading_mutants() -> Iterator[Mutant]:
 @cache
 def of_rules() -> dict[str, Mutant]:
     """All mutants of the rules and of the readings, by name."""
-    found = list(reading_mutants())
-    for name in FAMILIES:
-        family = getattr(THESIS.rules, name)
+    return told_apart([*reading_mutants(), *rule_mutants(THESIS)])
+
+
+@cache
+def of_steps() -> dict[str, Mutant]:
+    """All mutants of the rules of steps, by name."""
+    return told_apart(list(rule_mutants(REPAIRED)))
+
+
+def rule_mutants(profile: AnyProfile) -> Iterator[Mutant]:
+    """All mutants of the guards and the effects of a profile, and of the functions of their modules."""
+    for family in families_of(profile):
         for rule in family.rules:
-            found.extend(guard_mutants(rule))
-        found.extend(effect_mutants(family))
-    for chapter in CHAPTERS:
-        found.extend(mutants_of(f"spec.rules.{chapter}", "Rules.through"))
-    return told_apart(found)
+            yield from guard_mutants(rule)
+        yield from effect_mutants(family)
+    for chapter in chapters_of(profile):
+        yield from mutants_of(chapter, *PUT_TOGETHER)

@@ -1,20 +1,29 @@
-"""Running mutants, side by side: to record what catches each, and to try again what is recorded."""
+"""Running mutants, side by side: to record what catches each, and to try again what is recorded.
+
+A record is made group by group. What is found of a mutant is stored at once, so that a run that stops loses nothing;
+and what was recorded before is taken over as long as it still holds, so that only what is new is looked for.
+"""
 
 from __future__ import annotations
 
+import signal
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from concurrent.futures import Executor, ProcessPoolExecutor
+from concurrent.futures import Executor, ProcessPoolExecutor, as_completed
 from contextlib import nullcontext
-from dataclasses import dataclass, field, replace
-from functools import partial
+from dataclasses import dataclass
+from functools import lru_cache, partial
+from hashlib import sha256
 from multiprocessing import get_context
 from os import cpu_count
 from pathlib import Path
+from typing import Any
 
 from properties.claims.catalogue import CLAIMS
 from properties.claims.claim import Claim
 from properties.evidence.export import Recorder
-from properties.evidence.mutants.argued import ARGUED, OPEN, UNNOTICED
+from properties.evidence.files import MUTANTS
+from properties.evidence.mutants import outings
+from properties.evidence.mutants.argued import ARGUED, CHANGES_NO_ANSWER, OPEN, UNNOTICED
 from properties.evidence.mutants.contracts import (
     PREMISES,
     kill_of_obligation,
@@ -24,66 +33,115 @@ from properties.evidence.mutants.contracts import (
     wrong_one,
 )
 from properties.evidence.mutants.engine import crashing_tests, failed_tests, of_engine
+from properties.evidence.mutants.equal import EQUAL, proved_equal
 from properties.evidence.mutants.invariants import of_invariants
 from properties.evidence.mutants.mutant import Mutant
+from properties.evidence.mutants.outings import STEPPED
 from properties.evidence.mutants.record import Kills, Record
-from properties.evidence.mutants.rules import of_rules
+from properties.evidence.mutants.rules import of_rules, of_steps
+from properties.evidence.mutants.stepped import kill_of_judge, of_judges
 from properties.evidence.mutants.trial import (
+    CRASHING,
+    Facts,
     Kill,
     count_crash,
+    counted,
     crash_of,
     errata,
     explored,
-    functions_called,
+    facts_of,
     interface,
+    is_tried,
+    kills_by_counts,
     kills_by_proofs,
     kills_by_rows,
-    kills_by_runs,
+    kills_by_witnesses,
     miscounted,
     name_of,
     no_change,
-    of_requests,
     programs,
     replayed,
     rows_broken,
     unrefuted,
     witness_of,
 )
-from properties.evidence.showing import Texts
+from properties.evidence.mutants.worlds import of_worlds
+from properties.evidence.sample_steps import STOREYS
+from properties.evidence.showing import Job, Texts
+from properties.evidence.sources import sources
+from properties.evidence.store import Store
+from spec.profiles import REPAIRED, THESIS
 
 BANK = "count: counts/invariants-judge"
 GROUPS: dict[str, Callable[[], dict[str, Mutant]]] = {
     "rules": of_rules,
+    "steps": of_steps,
     "contracts": of_contracts,
     "obligations": of_obligations,
     "invariants": of_invariants,
     "engine": of_engine,
+    "worlds": of_worlds,
+    "stepped": of_judges,
 }
-WRONG = ("rules", "contracts")
-"""The groups of which obligations are to notice each."""
+WRONG = ("rules", "steps", "worlds", "contracts")
+"""The groups of which obligations and invariants are to notice each."""
 
 
 @dataclass(frozen=True)
 class Known:
-    """What is known before mutants are tried: the functions and the premises of each obligation, and witnesses."""
+    """What is known before the mutants of a group are tried.
 
-    calls: Mapping[str, frozenset[str]]
-    premises: Mapping[str, tuple[str, ...]]
+    Attributes:
+        facts: of each obligation.
+        witnesses: values that refute claims.
+        kills: of the groups in `WRONG`, as far as they have been tried.
+        recorded: what was recorded before.
+    """
+
+    facts: Mapping[str, Facts]
     witnesses: Mapping[str, Texts]
-    kills: Kills = field(default_factory=dict)
+    kills: Kills
+    recorded: Record
+
+    @property
+    def calls(self) -> dict[str, frozenset[str]]:
+        """The functions that each obligation runs."""
+        return {name: facts.calls for name, facts in self.facts.items()}
+
+    @property
+    def premises(self) -> dict[str, tuple[str, ...]]:
+        """What each obligation assumes."""
+        return {name: facts.premises for name, facts in self.facts.items()}
 
 
-def pool() -> ProcessPoolExecutor:
-    """A process for each core."""
-    return ProcessPoolExecutor(cpu_count(), mp_context=get_context("forkserver"))
+@dataclass(frozen=True)
+class Found:
+    """What catches a mutant; and if nothing does, why it counts as none, if something says so."""
+
+    kills: tuple[Kill, ...]
+    aside: str | None = None
+
+
+HELD: list[Known] = []
+"""What a process of a pool knows: it is told when it begins."""
+
+
+def pool(*known: Known) -> ProcessPoolExecutor:
+    """A process for each core, each told what is known."""
+    return ProcessPoolExecutor(cpu_count(), mp_context=get_context("forkserver"), initializer=begin, initargs=known)
+
+
+def begin(*known: Known) -> None:
+    """Begin a process of a pool: an interrupt ends it without a word."""
+    signal.signal(signal.SIGINT, signal.SIG_DFL)
+    HELD.extend(known)
 
 
 def evidence_of(claim: Claim) -> tuple[str, ...]:
     """What a claim rests on, of what mutants are tried on."""
-    if claim not in of_requests():
-        return ()
-    obligations = [name_of(claim, one) for one in claim.obligations if one.shape is None]
-    return (*obligations, *(f"count: {one.id}" for one in claim.counts))
+    obligations = [name_of(claim, one) for one in claim.obligations if is_tried(one)]
+    tested = [f"{STEPPED}{claim.about}"] if claim.sampled == STOREYS.name else []
+    return (*obligations, *(f"count: {one.id}" for one in counted(claim)), *tested)
 
 
 def resting() -> dict[str, tuple[str, ...]]:
@@ -94,22 +152,60 @@ def resting() -> dict[str, tuple[str, ...]]:
 def kills_of(known: Known, group: str, name: str) -> tuple[Kill, ...]:
     """All that catches a mutant of the rules or of the contracts; of any other, the first thing that does."""
     mutant = GROUPS[group]()[name]
+    outings.made()
     if group == "contracts":
         return kills_of_contract(mutant, known.kills, known.calls, known.premises)
     if group == "obligations":
-        found = kill_of_obligation(mutant, known.kills, known.calls, known.premises)
-        return () if found is None else (found,)
+        return one_or_none(kill_of_obligation(mutant, known.kills, known.calls, known.premises))
+    if group == "stepped":
+        return one_or_none(kill_of_judge(mutant, known.kills))
     with mutant.in_place():
         if group == "invariants":
             return tuple(Kill(BANK, (wrong,)) for wrong in miscounted(BANK))
         if group == "engine":
             return tuple(Kill("test", (test,)) for test in failed_tests())
+        if group == "worlds":
+            return tuple(outings.kills_by_storeys(first=True)) or tuple(kills_by_proofs(mutant, known.calls))[:1]
         proofs = tuple(kills_by_proofs(mutant, known.calls))
+        if group == "steps":
+            return (*proofs, *outings.kills_by_storeys()) or tuple(kills_by_counts(REPAIRED))
         return proofs or tuple(kills_by_runs(known.witnesses)) or tuple(kills_by_rows())
+
+
+def one_or_none(kill: Kill | None) -> tuple[Kill, ...]:
+    """The kill, if there is one."""
+    return () if kill is None else (kill,)
+
+
+def kills_by_runs(witnesses: Mapping[str, Texts]) -> Iterator[Kill]:
+    """The counts that fail on a mutant in place, and the witnesses that are none any more."""
+    yield from kills_by_counts(THESIS)
+    yield from kills_by_witnesses(witnesses)
+
+
+def taken_over(known: Known, group: str, name: str) -> Found | None:
+    """What was recorded of a mutant, if all that caught it still does, or if it only crashed."""
+    kills, aside = known.recorded.kills.get(group, {}).get(name, ()), known.recorded.equal.get(name, "")
+    if kills and not complaints(known.premises, group, name, kills):
+        return Found(kills)
+    return Found((), aside) if aside.startswith(CRASHING) else None
+
+
+def found_of(group: str, name: str) -> Found:
+    """What catches a mutant, or why it counts as none."""
+    (known,) = HELD
+    before = taken_over(known, group, name)
+    if before is not None:
+        return before
+    kills = kills_of(known, group, name)
+    return Found(kills, None if kills else set_aside(known, group, name))
 
 
 def again(premises: Mapping[str, tuple[str, ...]], group: str, name: str, kill: Kill) -> tuple[str, ...] | None:
     """What fails of the evidence of a kill, at its values, with its mutants in place; None if it crashes."""
+    if kill.by.startswith(STEPPED):
+        broken = broken_in(group, name, kill.on, outings.number_of(kill))
+        return None if broken is None else tuple(one for one in broken if kill.by == f"{STEPPED}{one}")
     beside = wrong_one(kill.on).in_place() if kill.on else nullcontext()
     with beside, GROUPS[group]()[name].in_place():
         if kill.broken == (PREMISES,):
@@ -121,6 +217,15 @@ def again(premises: Mapping[str, tuple[str, ...]], group: str, name: str, kill: 
         if kill.by.startswith("witness: "):
             return unrefuted(kill.by, kill.values)
         return rows_broken() if kill.by.startswith("rows: ") else replayed(kill.by, kill.values)
+
+
+@lru_cache(maxsize=16)
+def broken_in(group: str, name: str, on: str, number: int) -> tuple[str, ...] | None:
+    """The properties that fail in a world with a mutant in place, and one beside it, if one is named."""
+    outings.outing_of(number)
+    beside = wrong_one(on).in_place() if on else nullcontext()
+    with beside, GROUPS[group]()[name].in_place():
+        return outings.broken_in(number)
 
 
 def complaints(premises: Mapping[str, tuple[str, ...]], group: str, name: str, kills: Iterable[Kill]) -> list[str]:
@@ -135,47 +240,68 @@ def complaints(premises: Mapping[str, tuple[str, ...]], group: str, name: str, k
     return found
 
 
-def facts_of(name: str) -> tuple[str, frozenset[str], tuple[str, ...]]:
-    """The functions that an obligation runs, and its premises."""
-    return name, functions_called(name), interface(name)
-
-
-def learnt(executor: Executor) -> Known:
-    """What is to be known before mutants are tried."""
-    found = list(executor.map(facts_of, programs()))
-    calls, premises = {name: calls for name, calls, _ in found}, {name: said for name, _, said in found}
-    return Known(calls, premises, dict(zip(errata(), executor.map(witness_of, errata()), strict=True)))
-
-
 def set_aside(known: Known, group: str, name: str) -> str | None:
-    """Why a mutant that nothing catches is none: it is proved to change nothing, it crashes, or it is argued."""
+    """Why a mutant that nothing catches is none: it changes no answer, is proved to change nothing, or crashes."""
     mutant = GROUPS[group]()[name]
+    if name in EQUAL:
+        return proved_equal(mutant)
     if name in ARGUED:
-        return f"argued: {ARGUED[name]}"
-    if name in OPEN:
-        return UNNOTICED
+        return f"{CHANGES_NO_ANSWER}: {ARGUED[name]}"
     if group == "invariants":
         return count_crash(mutant, BANK)
     if group == "engine":
         return crashing_tests(mutant)
+    if group in ("steps", "worlds", "stepped"):
+        with mutant.in_place():
+            crash = outings.crash_in_storeys()
+        crashes = f"{CRASHING}: {crash}" if crash else crash_of(mutant, known.calls)
+        return no_change(mutant, known.calls) or crashes or UNNOTICED
     return no_change(mutant, known.calls) or crash_of(mutant, known.calls)
 
 
-def record_all(progress: Callable[[str, tuple[Kill, ...]], None]) -> Record:
-    """Find what catches each mutant."""
+Progress = Callable[[str, int, int], None]
+Work = dict[Job, Callable[[], Any]]
+
+
+def all_of(executor: Executor, store: Store[Any], what: str, work: Work, progress: Progress) -> list[Any]:
+    """The results of some jobs in their order; what is stored is taken from there, and what is found is stored."""
+    results = store.current(work)
+    running = {executor.submit(store.run, job, work[job]): job for job in work if job not in results}
+    progress(what, len(results), len(work))
+    try:
+        for future in as_completed(running):
+            results[running[future]] = future.result()
+            progress(what, len(results), len(work))
+    except KeyboardInterrupt:
+        executor.shutdown(wait=False, cancel_futures=True)
+        raise
+    return [results[job] for job in work]
+
+
+def job_of(group: str, name: str) -> Job:
+    """The job of a mutant; its name is too long for that of a file."""
+    return "mutant", group, sha256(name.encode()).hexdigest()[:16]
+
+
+def record_all(before: Record, progress: Progress) -> Record:
+    """Find what catches each mutant; what was recorded before is taken over as long as it holds."""
+    now = sources()
     with pool() as executor:
-        known = learnt(executor)
-        record = Record(resting(), dict(known.premises))
-        for group, mutants in GROUPS.items():
-            found = record.kills.setdefault(group, {})
-            tasks = executor.map(partial(kills_of, known, group), mutants(), chunksize=2)
-            for name, kills in zip(mutants(), tasks, strict=True):
-                found[name] = kills
-                progress(name, kills)
-            left = [name for name, kills in found.items() if not kills]
-            reasons = zip(left, executor.map(partial(set_aside, known, group), left), strict=True)
-            record.equal.update({name: reason for name, reason in reasons if reason})
-            known = replace(known, kills={**known.kills, **found}) if group in WRONG else known
+        asked: Work = {("facts", name): partial(facts_of, name) for name in programs()}
+        facts = all_of(executor, Store(MUTANTS, now, Facts), "facts", asked, progress)
+        refuted: Work = {("witness", name): partial(witness_of, name) for name in errata()}
+        witnesses = all_of(executor, Store(MUTANTS, now, Texts), "witnesses", refuted, progress)
+    known = Known(dict(zip(programs(), facts, strict=True)), dict(zip(errata(), witnesses, strict=True)), {}, before)
+    record = Record(resting(), known.premises)
+    for group, mutants in GROUPS.items():
+        with pool(known) as executor:
+            work: Work = {job_of(group, name): partial(found_of, group, name) for name in mutants()}
+            found = all_of(executor, Store(MUTANTS, now, Found), group, work, progress)
+        tried = dict(zip(mutants(), found, strict=True))
+        record.kills[group] = {name: one.kills for name, one in tried.items()}
+        record.equal.update({name: one.aside for name, one in tried.items() if one.aside})
+        if group in WRONG:
+            known.kills.update(record.kills[group])
     return record
 
 
@@ -204,6 +330,14 @@ def lost(record: Record) -> Iterator[str]:
                 yield f"{name}: assumes {', '.join(said)}; recorded is {', '.join(record.premises.get(name, ()))}"
     for _, wrong in tried_again(record):
         yield from wrong
+    everything = {name: mutant for mutants in GROUPS.values() for name, mutant in mutants().items()}
+    for name in EQUAL:
+        if name not in everything or proved_equal(everything[name]) is None:
+            yield f"{name}: expected a mutant that is proved to be the same"
+    for group, table in record.kills.items():
+        open_ = [name for name in table if record.equal.get(name) == UNNOTICED]
+        if len(open_) > OPEN.get(group, 0):
+            yield f"{group}: expected at most {OPEN.get(group, 0)} that nothing notices, found {len(open_)}"
     yield from (f"{name}: SURVIVES" for name in record.survivors())
 
 

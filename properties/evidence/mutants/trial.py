@@ -16,7 +16,7 @@ from types import CodeType, FrameType
 from typing import Any
 
 from properties.claims.catalogue import CLAIMS
-from properties.claims.claim import Claim, Erratum, Obligation
+from properties.claims.claim import Claim, Count, Erratum, Obligation
 from properties.contracts.errata import Stage
 from properties.contracts.request import judged
 from properties.engine.explore import EngineError, Exploration, Program, explore, watched_by
@@ -26,13 +26,16 @@ from properties.evidence.showing import Texts, texts
 from properties.given import Exact, Given, Infeasible
 from reference.formats.files import FormatError
 from reference.simulator import Endless
-from spec.profiles import OF_REQUESTS, THESIS
+from spec.profiles import THESIS, AnyProfile
 from spec.rule import GuardError
 
+SAME = "the same, proved wherever"
 CRASHING = "makes its evidence crash"
 EXAMPLES, ROWS = 100, "rows: random"
+SLOW = ("stretches/stretches-keep-apart", "stretches/settling-keeps-apart")
+LONG = frozenset({"differences-have-causes"})
 KEPT = "what the witness broke is kept"
-SECONDS = 10
+SECONDS = 20
 
 
 class DoesNotEnd(KeyboardInterrupt):
@@ -65,15 +68,23 @@ class Kill:
     on: str = ""
 
 
+@dataclass(frozen=True)
+class Facts:
+    """The functions that an obligation runs, and the names of what it assumes and draws."""
+
+    calls: frozenset[str]
+    premises: tuple[str, ...]
+
+
 @contextlib.contextmanager
-def ended() -> Iterator[None]:
+def ended(seconds: int = SECONDS) -> Iterator[None]:
     """Stop what does not end, after some seconds of the processor; what is stopped counts as nothing."""
 
     def stop(number: int, frame: FrameType | None) -> None:
         raise DoesNotEnd
 
     before = signal.signal(signal.SIGVTALRM, stop)
-    signal.setitimer(signal.ITIMER_VIRTUAL, SECONDS)
+    signal.setitimer(signal.ITIMER_VIRTUAL, seconds)
     try:
         yield
     finally:
@@ -81,40 +92,41 @@ def ended() -> Iterator[None]:
         signal.signal(signal.SIGVTALRM, before)
 
 
+def is_tried(obligation: Obligation) -> bool:
+    """Whether mutants are tried on an obligation: it speaks of any number of bodies and edges, and is quick."""
+    return obligation.shape is None and not obligation.id.startswith(SLOW)
+
+
 def name_of(claim: Claim, obligation: Obligation) -> str:
     """The name of an obligation under the profile of a claim."""
     return obligation.id if claim.profile.name == "thesis" else f"{obligation.id} ({claim.profile.name})"
 
 
-def of_requests() -> list[Claim]:
-    """The claims about rules by which bodies move one after another, of which there are mutants."""
-    return [claim for claim in CLAIMS if claim.profile.name in OF_REQUESTS and claim.family != "velocity"]
-
-
 @cache
 def programs() -> dict[str, Program]:
-    """The obligations that speak of any number of bodies and edges, by name."""
+    """The obligations on which mutants are tried, by name."""
     return {
         name_of(claim, obligation): partial(judged, obligation.program, claim.profile)
-        for claim in of_requests()
+        for claim in CLAIMS
         for obligation in claim.obligations
-        if obligation.shape is None
+        if is_tried(obligation)
     }
 
 
-def functions_called(name: str) -> frozenset[str]:
-    """The functions that an obligation runs."""
+def facts_of(name: str) -> Facts:
+    """What an obligation runs, assumes and draws."""
     seen: set[CodeType] = set()
 
     def note(frame: FrameType, event: str, argument: Any) -> None:
         seen.add(frame.f_code)
 
-    sys.setprofile(note)
+    before = sys.gettrace()
+    sys.settrace(note)
     try:
-        explore(programs()[name])
+        said = interface(name)
     finally:
-        sys.setprofile(None)
-    return frozenset(map(called, seen))
+        sys.settrace(before)
+    return Facts(frozenset(map(called, seen)), said)
 
 
 def explored(name: str) -> Exploration:
@@ -185,7 +197,7 @@ def no_change(mutant: Mutant, calls: Mapping[str, frozenset[str]]) -> str | None
     mine = [name for name, functions in calls.items() if functions & mutant.reached]
     if mutant.probe is None or not mine or not all(same_in(mutant, name) for name in mine):
         return None
-    return f"the same, proved wherever {', '.join(mine)} meet it"
+    return f"{SAME} {', '.join(mine)} meet it"
 
 
 def same_in(mutant: Mutant, name: str) -> bool:
@@ -206,7 +218,12 @@ def same_in(mutant: Mutant, name: str) -> bool:
 @cache
 def counts() -> dict[str, Callable[[], int]]:
     """The exact counts, by name."""
-    return {f"count: {c.id}": partial(c.program, claim.profile) for claim in of_requests() for c in claim.counts}
+    return {f"count: {c.id}": partial(c.program, claim.profile) for claim in CLAIMS for c in counted(claim)}
+
+
+def counted(claim: Claim) -> tuple[Count, ...]:
+    """The exact counts of a claim on which mutants are tried: those of random scenarios take too long."""
+    return tuple(one for one in claim.counts if one.id not in LONG)
 
 
 def miscounted(name: str) -> tuple[str, ...]:
@@ -235,7 +252,7 @@ def errata() -> dict[str, Program]:
     """The promises that a witness breaks, by name."""
     return {
         f"witness: {claim.id}": partial(on_a_stage, claim.erratum, claim.profile)
-        for claim in of_requests()
+        for claim in CLAIMS
         if claim.erratum is not None and not claim.long
     }
 
@@ -262,11 +279,15 @@ def unrefuted(name: str, values: Texts) -> tuple[str, ...]:
     return () if exact.broken else (KEPT,)
 
 
-def kills_by_runs(witnesses: Mapping[str, Texts]) -> Iterator[Kill]:
-    """The counts that fail on a mutant in place, and the witnesses that are none any more."""
-    for name in counts():
+def kills_by_counts(profile: AnyProfile) -> Iterator[Kill]:
+    """The counts under a profile that fail on a mutant in place."""
+    for name in (f"count: {one.id}" for claim in CLAIMS if claim.profile == profile for one in counted(claim)):
         if wrong := miscounted(name):
             yield Kill(name, wrong)
+
+
+def kills_by_witnesses(witnesses: Mapping[str, Texts]) -> Iterator[Kill]:
+    """The witnesses that are none any more with a mutant in place."""
     for name, values in witnesses.items():
         if kept := unrefuted(name, values):
             yield Kill(name, kept, values)

@@ -1,0 +1,120 @@
+"""The mutants that are proved to say the same as what they were made of, on whatever it can be asked about.
+
+Each is run beside its original on the same symbolic values, under premises that hold of every level.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from fractions import Fraction
+from functools import partial
+from types import SimpleNamespace
+from typing import Any
+
+from properties.contracts.steps import any_member
+from properties.engine.explore import explore
+from properties.evidence.mutants.mutant import Mutant
+from properties.evidence.mutants.trial import SAME
+from properties.given import HAS_WIDTH, Given
+from spec.graph import Direction, EdgeType
+from spec.plane import Box, box, negated, terrain
+from spec.profiles import REPAIRED
+from spec.rules.event import Nearing, time_left
+from spec.rules.row import forwards
+from spec.storeys import Contact
+
+FALLS_LEAD_DOWN = "a fall edge is not level"
+
+
+def promise_alike(given: Given, mutant: Mutant, ask: Callable[[], list[Any]]) -> None:
+    """Promise that what is asked for is the same with a mutant in place."""
+    own = ask()
+    with mutant.in_place():
+        other = ask()
+    given.ensure("as many", len(own) == len(other))
+    for one, twin in zip(own, other, strict=True):
+        given.ensure("the same", one == twin)
+
+
+def facts(one: Box[Any]) -> list[Any]:
+    """What there is of a box."""
+    return [one.left, one.right, one.bottom, one.top]
+
+
+def any_box(given: Given, name: str) -> Box[Any]:
+    """Any box of a body."""
+    left, bottom = given.number(f"{name}: left"), given.number(f"{name}: bottom")
+    return Box(left, left + given.number(f"{name}: width"), bottom, bottom + given.number(f"{name}: height"))
+
+
+def boxes_of_bodies(mutant: Mutant, given: Given) -> None:
+    """Any body on a line or on a ring; its right border is to the right, but where it is counted once round."""
+    left, width, height = given.number("left"), given.number("width"), given.number("height")
+    given.assume(width > 0, HAS_WIDTH)
+    round_ = given.number("circumference") if given.flag("a ring") else None
+    right = left + width
+    if round_ is not None and given.flag("counted once round"):
+        given.assume(width < round_, "a body is shorter than the ring")
+        right = right - round_
+    held = SimpleNamespace(left=left, right=right, height=height)
+    graph = SimpleNamespace(circumference=round_)
+    world = SimpleNamespace(bodies=[held], graph=graph, point=lambda place: (place, height))
+    promise_alike(given, mutant, lambda: [fact for one in [box(world, 0)] if one is not None for fact in facts(one)])
+
+
+def heights_of_bodies(mutant: Mutant, given: Given) -> None:
+    """Any box of a body, and any box of terrain, which may go down for ever."""
+    one, other = any_box(given, "a body"), any_box(given, "the other")
+    if given.flag("it goes down for ever"):
+        other = Box(other.left, other.right, None, other.top)
+    promise_alike(given, mutant, lambda: [one.beside(other)])
+
+
+def plain_truths(mutant: Mutant, given: Given) -> None:
+    """Either truth."""
+    truth = given.flag("a truth")
+    promise_alike(given, mutant, lambda: [negated(truth)])
+
+
+def level_edges(mutant: Mutant, given: Given) -> None:
+    """Any edge; a fall edge leads down."""
+    kind = EdgeType.GROUND if given.flag("ground") else EdgeType.FALL
+    rise = given.number("up") - given.number("down")
+    if kind is EdgeType.FALL:
+        given.assume(rise < 0, FALLS_LEAD_DOWN)
+    edge = SimpleNamespace(type=kind, rise=rise, left=0, length=given.number("length"), thickness=None)
+    start = SimpleNamespace(x=given.number("x"), y=given.number("y"))
+    world = SimpleNamespace(graph=SimpleNamespace(edges=[edge], vertices=[start]))
+    promise_alike(given, mutant, lambda: [fact for one in terrain(world) for fact in facts(one)])
+
+
+def speeds_in_a_row(mutant: Mutant, given: Given) -> None:
+    """Any two members of a row."""
+    row = [any_member(given, body) for body in (0, 1)]
+    promise_alike(given, mutant, lambda: forwards(REPAIRED.rules.row, row, Direction.RIGHT))
+
+
+def what_comes_nearer(mutant: Mutant, given: Given) -> None:
+    """Anything that comes nearer, at some speed; in exact numbers it has not come too near yet."""
+    nearing = Nearing(Contact(0, 1), given.number("room"), Fraction(2))
+    promise_alike(given, mutant, lambda: [time_left(nearing)])
+
+
+EQUAL: dict[str, Callable[[Mutant, Given], None]] = {
+    "plane.Box.beside: False instead of True (2)": heights_of_bodies,
+    "plane.negated: truth <= False instead of truth == False": plain_truths,
+    "plane.box: right < left instead of circumference is not None and right < left": boxes_of_bodies,
+    "plane.box: right <= left instead of right < left": boxes_of_bodies,
+    "plane.terrain: edge.rise == 0 instead of edge.type is EdgeType.GROUND and edge.rise == 0": level_edges,
+    "row.forwards: member.wish * direction instead of greater(member.wish * direction, zero_like(passed))": (
+        speeds_in_a_row
+    ),
+    "event.time_left: nearing.room instead of greater(nearing.room, zero_like(nearing.room))": what_comes_nearer,
+}
+
+
+def proved_equal(mutant: Mutant) -> str | None:
+    """That a mutant is proved to say the same, if it is."""
+    program = EQUAL[mutant.name]
+    said = f"{SAME} {program.__name__.replace('_', ' ')} are asked about"
+    return said if explore(partial(program, mutant)).proved else None
