@@ -60,9 +60,7 @@ class MaterialRecord(Record, frozen=True):
     ] = "981/100"
     force: Annotated[
         Number,
-        says(
-            "what pushes it along the ground all the time, in units of mass times length per second squared; negative to the left"
-        ),
+        says("what pushes it along the ground, in units of mass times length per second squared; negative to the left"),
     ] = "0"
 
 
