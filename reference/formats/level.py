@@ -39,10 +39,17 @@ class MaterialRecord(Record, frozen=True):
 
     friction: Annotated[Number, says("its coefficient of friction")] = "0"
     drag: Annotated[
-        Number, says("by what its velocity is multiplied in each tick, from 0 to 1; only under printed velocities")
+        Number,
+        says(
+            "by what its velocity is multiplied in each tick, from 0 to 1; only under `thesis` and `thesis/overshoot`"
+        ),
     ] = "1"
     damping: Annotated[
-        Number, says("how much velocity it loses for each unit of way, in 1 per second; only under mended velocities")
+        Number,
+        says(
+            "how much velocity it loses for each unit of way, in 1 per second; only under `repaired` and "
+            "`thesis/mended-velocity`"
+        ),
     ] = "0"
     slowest: Annotated[Number, says("its least speed, in units of length per second; if it is slower, it stands")] = "0"
     fastest: Annotated[
@@ -54,7 +61,7 @@ class MaterialRecord(Record, frozen=True):
     ] = "981/100"
     force: Annotated[
         Number,
-        says("what pushes it along the ground all the time, in units of mass times gravity; negative to the left"),
+        says("what pushes it along the ground, in units of mass times length per second squared; negative to the left"),
     ] = "0"
 
 
