@@ -160,6 +160,9 @@ PRINTED: tuple[Case, ...] = (
 
 CASES: tuple[Case, ...] = (*PRINTED, *FOUND)
 
+GENERAL = "unsupported/other-strings"
+"""The case that says only what a body has run into, of which other cases say how."""
+
 
 @dataclass(frozen=True)
 class LevelCase:

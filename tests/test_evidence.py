@@ -49,6 +49,7 @@ FLOORS_OF_VERDICTS = {
         rule-count invariants-judge
         queries-of-a-push queries-at-transitions long-strings walls-reached-exactly every-rule-fires
         step-body-order step-riders step-furthest differences-have-causes witnesses-mended
+        cases-are-complete cases-are-complete/overshoot
     """,
     REFUTED: """
         no-overlap-on-short-edges pushing-on-short-edges split-anywhere additive-on-any-ring

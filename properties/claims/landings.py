@@ -1,13 +1,13 @@
-"""The claims about landings: where they fit, and where the test of jump edges tells that they are free (E12, P9)."""
+"""The claims about landings, and about the cases together: E10, E12, P9."""
 
 from __future__ import annotations
 
-from properties.claims.claim import Claim, Erratum, Verdict
-from properties.claims.ledges import hunted
+from properties.claims.claim import Claim, Count, Erratum, Verdict
+from properties.claims.ledges import hunted, suffix
 from properties.claims.string import of_rules
 from properties.contracts import fitting, proxy
-from spec.conditions import GUIDELINES
-from spec.profiles import OVERSHOOT, THESIS
+from spec.conditions import GUIDELINES, PLANE_START
+from spec.profiles import OVERSHOOT, THESIS, Profile
 
 ABOUT = "reading/horizontal-distance"
 EXACT = (
@@ -21,6 +21,13 @@ def wrong(name: str, sentence: str, erratum: Erratum) -> Claim:
     return Claim(
         f"claim/{name}", "errata", sentence, "6.2.1; E12, P9", ABOUT, THESIS, (), Verdict.REFUTED, erratum=erratum
     )
+
+
+def cases_are_complete(profile: Profile) -> int:
+    """Whenever a request of a random game breaks an invariant in the plane, one of the cases has happened."""
+    from properties.evidence.complete import cases_are_complete as in_games
+
+    return in_games(profile)
 
 
 CLAIMS: tuple[Claim, ...] = (
@@ -50,6 +57,22 @@ CLAIMS: tuple[Claim, ...] = (
         expected=Verdict.PROVED,
         obligations=(of_rules(fitting.long_edges_fit, GUIDELINES.id),),
         long=True,
+    ),
+    *(
+        Claim(
+            id=f"claim/cases-are-complete{suffix(profile)}",
+            family="unsupported",
+            sentence="In games on levels with ledges, whenever a request that begins in order breaks an invariant in "
+            "the plane, one of the unsupported cases has happened, of which unsupported/other-strings does not count.",
+            source="6.2.2; E10, U9",
+            about="unsupported",
+            profile=profile,
+            premises=(PLANE_START.id,),
+            expected=Verdict.TESTED,
+            counts=(Count("cases-are-complete", cases_are_complete),),
+            long=True,
+        )
+        for profile in (THESIS, OVERSHOOT)
     ),
     wrong(
         "proxy-on-slanted-falls",

@@ -31,7 +31,7 @@ from spec.case import parts_of, ran_into, some
 from spec.guidelines import GUIDELINES, kept_by
 from spec.plane import IN_PLANE, negated
 from spec.profiles import OF_REQUESTS, Profile
-from spec.unsupported import CASES
+from spec.unsupported import CASES, GENERAL
 
 GROUPS: dict[str, Callable[[], list[Shape]]] = {
     "steps": case_shapes.steps,
@@ -41,7 +41,6 @@ GROUPS: dict[str, Callable[[], list[Shape]]] = {
     "storeys": case_shapes.storeys,
     "short edges": case_shapes.short_edges,
 }
-GENERAL = "unsupported/other-strings"
 UNCATALOGUED = "an invariant is broken, and no case has happened"
 CANDIDATES = 3
 RANK = {guideline.id: f"G{rank}" for rank, guideline in enumerate(GUIDELINES, start=1)}
