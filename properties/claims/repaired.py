@@ -6,21 +6,33 @@ from collections.abc import Callable
 from fractions import Fraction
 
 from properties.claims.claim import Claim, Obligation, Verdict
-from properties.claims.string import of_rules
-from properties.contracts import step_families, steps
+from properties.claims.string import name_of, of_rules
+from properties.contracts import step_families, steps, stretches, sweeps
 from properties.given import Given
 from properties.worlds.storeys import Member, Setting
 from spec.conditions import STOREYS_START
+from spec.graph import Direction
 from spec.invariants import Relation
 from spec.profiles import REPAIRED, SteppedProfile
 from spec.rules.step import StepRules
 from spec.stepped import (
-    OF_ONE_STEP,
     STEP_BODY_ORDER,
+    STEP_BYSTANDERS,
     STEP_FURTHEST,
+    STEP_INSTANTS,
+    STEP_MARGIN,
     STEP_MIRROR,
+    STEP_MOTION,
+    STEP_NOT_RAISED,
+    STEP_ONE_KEY,
+    STEP_ORDER,
+    STEP_PROGRESS,
     STEP_RIDERS,
+    STEP_SEAT,
     STEP_SPLIT,
+    STEP_SQUEEZED,
+    STEP_SUPPORT,
+    STEP_TERRAIN,
     StepInvariant,
 )
 from spec.storeys import Drive
@@ -64,6 +76,24 @@ def of_setting(program: Callable[[SteppedProfile, Given, Setting], None], settin
     return Obligation(name, of_profile, (START,), "ring" if setting.ring else "line", len(setting.members))
 
 
+def of_window(program: Callable[[StepRules, Given, Setting], None], setting: Setting) -> Obligation:
+    """An obligation on the few that a setting has, whatever else is in the world."""
+
+    def of_profile(profile: SteppedProfile, given: Given) -> None:
+        program(profile.rules, given, setting)
+
+    return Obligation(f"{name_of(program)} ({setting.name})", of_profile, (START,) if program in FROM_START else ())
+
+
+def of_way(program: Callable[[StepRules, Given, Direction], None], ahead: Direction) -> Obligation:
+    """An obligation on a row of any length, swept in a direction."""
+
+    def of_profile(profile: SteppedProfile, given: Given) -> None:
+        program(profile.rules, given, ahead)
+
+    return Obligation(f"{name_of(program)} ({ahead.name.lower()})", of_profile)
+
+
 def of_steps(*programs: Callable[[StepRules, Given], None]) -> tuple[Obligation, ...]:
     """Obligations on the rules of a step, for any number of bodies."""
     return tuple(of_rules(program) for program in programs)
@@ -75,7 +105,42 @@ MIRRORED = tuple(of_setting(steps.steps_have_mirror_images, one) for one in (ALO
 SPLIT = tuple(of_setting(steps.steps_may_be_split, one) for one in (ALONE, PUSH, TOWARDS))
 
 
-def holds(about: StepInvariant | Relation, expected: Verdict, *obligations: Obligation) -> Claim:
+WINDOWS = (
+    Setting("two", (Member(0, STILL), Member(0, STILL))),
+    Setting("two on a ring", (Member(0, STILL), Member(0, STILL)), ring=True),
+    Setting("two and a wall", (Member(0, STILL), Member(0, STILL)), (1,)),
+    Setting("one and a wall on a ring", (Member(0, STILL),), (1,), ring=True),
+    Setting("one on pieces of ground", (Member(1, STILL),), (2,)),
+    Setting("one on ground before a wall", (Member(1, STILL),), (1, 1)),
+    Setting("one on ground of a ring", (Member(1, STILL),), (1,), ring=True),
+    Setting("one on another", (Member(0, STILL), Member(1, STILL, 0))),
+    Setting("one on another on a ring", (Member(0, STILL), Member(1, STILL, 0)), ring=True),
+)
+LOSSES = (
+    Setting("one above another", (Member(1, STILL), Member(0, STILL)), (1,)),
+    Setting("one above another on a ring", (Member(1, STILL), Member(0, STILL)), (1,), ring=True),
+    Setting("one before a wall", (Member(1, STILL),), (1, 1)),
+    Setting("one off another", (Member(0, STILL), Member(1, STILL, 0)), (1,)),
+    Setting("one above two", (Member(1, STILL), Member(0, STILL), Member(0, STILL))),
+    Setting("two high up", (Member(2, STILL), Member(1, STILL)), (1, 1)),
+    Setting("one on another that falls", (Member(2, STILL, 1), Member(1, STILL)), (1,)),
+)
+FROM_START = (stretches.stretches_keep_apart, stretches.what_touches_is_recorded)
+CONTACTS = of_steps(steps.contacts_do_not_close)
+TIMES = (
+    *of_steps(stretches.no_event_is_passed_over, stretches.room_is_used_up_in_time),
+    *(of_window(stretches.what_touches_is_recorded, setting) for setting in WINDOWS[:4]),
+)
+STRETCHES = (*CONTACTS, *TIMES, *(of_window(stretches.stretches_keep_apart, setting) for setting in WINDOWS))
+SETTLED = tuple(of_window(stretches.settling_keeps_apart, setting) for setting in LOSSES)
+ROWS = (
+    *of_steps(steps.wishes_are_of_drives, steps.squeezed_bodies_stand, sweeps.speeds_meet_once),
+    *(of_way(sweeps.motion_has_causes, ahead) for ahead in Direction),
+)
+ONE_KEY = tuple(of_way(sweeps.nobody_is_faster_than_all_wish, ahead) for ahead in Direction)
+
+
+def holds(about: StepInvariant | Relation, expected: Verdict, *obligations: Obligation, long: bool = False) -> Claim:
     """The claim that all steps have a property; it is also tested on random storeys."""
     return Claim(
         id=f"claim/{about.id.removeprefix('invariant/')}",
@@ -88,6 +153,7 @@ def holds(about: StepInvariant | Relation, expected: Verdict, *obligations: Obli
         expected=expected,
         obligations=obligations,
         sampled="storeys",
+        long=long,
     )
 
 
@@ -98,7 +164,12 @@ def proved(name: str, about: str, sentence: str, source: str, *programs: Callabl
 
 
 CLAIMS: tuple[Claim, ...] = (
-    *(holds(invariant, BOUNDED, *WHOLE_STEPS) for invariant in OF_ONE_STEP),
+    *(holds(invariant, PROVED, *STRETCHES, *SETTLED) for invariant in (STEP_MARGIN, STEP_TERRAIN, STEP_SUPPORT)),
+    *(holds(invariant, PROVED, *SETTLED) for invariant in (STEP_SEAT, STEP_NOT_RAISED)),
+    *(holds(invariant, PROVED, *STRETCHES) for invariant in (STEP_ORDER, STEP_MOTION)),
+    *(holds(invariant, PROVED, *ROWS) for invariant in (STEP_BYSTANDERS, STEP_PROGRESS, STEP_SQUEEZED)),
+    holds(STEP_ONE_KEY, PROVED, *ROWS, *ONE_KEY),
+    holds(STEP_INSTANTS, BOUNDED, *WHOLE_STEPS, long=True),
     holds(STEP_SPLIT, BOUNDED, *SPLIT),
     holds(STEP_MIRROR, BOUNDED, *MIRRORED),
     holds(STEP_BODY_ORDER, TESTED),
@@ -142,13 +213,13 @@ CLAIMS: tuple[Claim, ...] = (
     Claim(
         id="claim/whole-steps",
         family="steps",
-        sentence="Steps of larger small worlds, with riders, ledges and one that may not push, keep every invariant.",
+        sentence="Whole steps of small worlds, with riders, ledges and one that may not push, keep every invariant.",
         source="6.2.1; R5, R20",
         about="invariants",
         profile=REPAIRED,
         premises=(START,),
         expected=BOUNDED,
-        obligations=LARGER_STEPS,
+        obligations=(*WHOLE_STEPS, *LARGER_STEPS),
         long=True,
     ),
 )

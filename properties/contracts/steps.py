@@ -18,9 +18,12 @@ from spec.number import greater
 from spec.profiles import SteppedProfile
 from spec.rules.row import Meeting, Member, Relay, Turn, cut_back
 from spec.rules.step import StepRules
+from spec.rules.wish import Urge
 from spec.stepped import OF_ONE_STEP, STEP_MIRROR, STEP_SPLIT
+from spec.storeys import Drive
 
 MOST_IN_A_STEP = 10_000
+NAMED = ("drive", "velocity of the support")
 
 
 def seen_by(given: Given, profile: SteppedProfile) -> StepRules:
@@ -112,3 +115,12 @@ def speeds_are_wished(rules: StepRules, given: Given) -> None:
     given.ensure(
         "it passes that on, or nothing", rules.relay.choose(relay).effect(relay) == (speed if relay.pushes else 0)
     )
+
+
+def wishes_are_of_drives(rules: StepRules, given: Given) -> None:
+    """Any body wishes its drive; with what its support does, if the drive is relative to that."""
+    speed, carried = (given.number(f"{name} to the right") - given.number(f"{name} to the left") for name in NAMED)
+    driven = Drive(speed, given.flag("relative to the support"))
+    urge = Urge(0, driven, carried)
+    wish = rules.wish.choose(urge).effect(urge)
+    given.ensure("it wishes so", wish == (speed + carried if driven.relative else speed))

@@ -68,6 +68,13 @@ def any_terrain(given: Given, setting: Setting, length: Any) -> Terrain[Any]:
 
 def any_world(given: Given, setting: Setting) -> StoreyWorld[Any]:
     """Any valid world of a setting."""
+    world: Any = any_places(given, setting)
+    given.assume(STOREYS_START.holds(world, world.margin), STOREYS_START.id)
+    return world  # type: ignore[no-any-return]
+
+
+def any_places(given: Given, setting: Setting) -> StoreyWorld[Any]:
+    """Any world of a setting, also one in which bodies are in terrain or in each other, and nothing holds them."""
     margin, length = given.number("margin"), given.number("length")
     given.assume(margin > 0, "the margin is positive")
     terrain, places = any_terrain(given, setting, length), []
@@ -80,9 +87,7 @@ def any_world(given: Given, setting: Setting) -> StoreyWorld[Any]:
     for storey in {member.storey for member in setting.members}:
         for one, other in pairwise(place for place in places if place.storey == storey):
             given.assume(one.left < other.left, "bodies are named from left to right")
-    world: Any = StoreyWorld(terrain, margin, places)
-    given.assume(STOREYS_START.holds(world, margin), STOREYS_START.id)
-    return world  # type: ignore[no-any-return]
+    return StoreyWorld(terrain, margin, places)
 
 
 def any_duration(given: Given, setting: Setting, world: StoreyWorld[Any]) -> Any:

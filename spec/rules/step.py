@@ -151,6 +151,22 @@ def moving(speeds: Mapping[int, N]) -> Iterator[tuple[int, N, Direction]]:
                 yield body, velocity * direction, direction
 
 
+@dataclass(frozen=True)
+class Instant(Generic[N]):
+    """The next instant of a step: in how long it is, what comes then, and whether it is the last."""
+
+    after: N
+    events: tuple[Event[N], ...]
+    last: bool
+
+
+def next_instant(coming: Sequence[Event[N]], left: N) -> Instant[N]:
+    """The first instant at which something comes; the end of the step if nothing comes before."""
+    sooner = [event.after for event in coming if event.after < left]
+    after = reduce(lesser, sooner, left)
+    return Instant(after, tuple(event for event in coming if event.after <= after), not sooner)
+
+
 def touching(world: Storeys[N]) -> set[Mark]:
     """What is in contact, and who is at a wall, as the distances say."""
     zero = zero_like(world.margin)
@@ -186,6 +202,15 @@ def lasting(speeds: Mapping[int, N], marks: set[Mark]) -> set[Mark]:
     return {mark for mark in marks if lasts(mark)}
 
 
+def go_on(world: Storeys[N], speeds: Mapping[int, N], time: N, marks: set[Mark]) -> set[Mark]:
+    """Let all bodies move for a time; return what is left of what was recorded."""
+    if time <= zero_like(time):
+        return marks
+    for body, speed in speeds.items():
+        world.advance(body, speed * time)
+    return lasting(speeds, marks)
+
+
 def present(world: Storeys[N], marks: set[Mark]) -> set[Mark]:
     """What is left of what was recorded when bodies have changed their storeys: contacts of those still neighbours."""
     pairs = set(world.neighbours())
@@ -206,19 +231,12 @@ def step(
     marks, left = touching(world), duration
     while True:
         speeds = velocities_of(rules, world, drives, marks)
-        coming = list(to_come(rules, world, speeds))
-        sooner = [event.after for event in coming if event.after < left]
-        wait = reduce(lesser, sooner, left)
-        events = tuple(event for event in coming if event.after <= wait)
-        if wait > zero_like(wait):
-            for body, speed in speeds.items():
-                world.advance(body, speed * wait)
-            marks = lasting(speeds, marks)
-        marks |= {event.mark for event in events}
+        instant = next_instant(list(to_come(rules, world, speeds)), left)
+        marks = go_on(world, speeds, instant.after, marks) | {event.mark for event in instant.events}
         lost = {mark for mark in marks if isinstance(mark, Seat)}
         changes = tuple(settle(rules.settle, world, speeds, lost))
         marks = present(world, marks) if changes else marks
-        left = left - wait
-        yield Moment(left, wait, speeds, events, changes)
-        if not sooner:
+        left = left - instant.after
+        yield Moment(left, instant.after, speeds, instant.events, changes)
+        if instant.last:
             return

@@ -1,0 +1,135 @@
+"""What is proved of steps for any number of bodies is refuted for wrong rules, and for wrong steps."""
+
+from collections.abc import Callable
+from dataclasses import replace
+from functools import partial
+from itertools import chain, pairwise, product
+from typing import NamedTuple
+
+import pytest
+from test_steps import with_effect
+
+from properties.claims.repaired import LOSSES, ROWS, SETTLED, STRETCHES, TIMES, WINDOWS, of_window
+from properties.contracts import stretches
+from properties.contracts.request import judged
+from properties.engine.explore import explore
+from spec.profiles import REPAIRED
+from spec.rule import Family
+from spec.rules import step
+from spec.rules.row import full_speed, its_own, takes_part, the_same
+from spec.rules.settle import Found, front_most
+from spec.storeys import Contact, Seat
+
+RESTS = {obligation.id: obligation for obligation in (*ROWS, *SETTLED, *STRETCHES, *TIMES)}
+LATE = "stretches/room-is-used-up-in-time"
+
+
+def broken(obligation, profile=REPAIRED):
+    """What of an obligation is broken, with exact values."""
+    found = explore(partial(judged, obligation.program, profile)).counterexample
+    return () if found is None else found.broken
+
+
+class Fault(NamedTuple):
+    """A wrong effect of a rule, and the obligation that tells, with what it says."""
+
+    field: str
+    rule: str
+    effect: Callable
+    obligation: str
+    says: str
+
+
+FAULTS = {
+    "as fast as it likes": Fault(
+        "way", "way/slower", full_speed, "steps/contacts-do-not-close", "they do not come nearer"
+    ),
+    "nobody is pushed": Fault(
+        "forward", "row/pushed", its_own, "sweeps/motion-has-causes (right)", "who is urged is reached"
+    ),
+    "it pushes though it may not": Fault(
+        "relay", "row/passes-nothing", the_same, "sweeps/motion-has-causes (left)", "who is urged is reached"
+    ),
+    "nobody is squeezed": Fault("meet", "row/squeezed", takes_part, "sweeps/speeds-meet-once", "it is held"),
+    "the ground moves": Fault(
+        "wish", "wish/carried", lambda urge: urge.drive.speed, "steps/wishes-are-of-drives", "it wishes so"
+    ),
+    "a contact late": Fault(
+        "contact", "event/contact", lambda one: one.room * 2 / one.speed, LATE, "contact: the way to it is the room"
+    ),
+    "a wall late": Fault(
+        "wall", "event/wall", lambda one: one.room * 2 / one.speed, LATE, "wall: the way to it is the room"
+    ),
+    "a loss late": Fault(
+        "loss", "event/support-lost", lambda one: one.room * 2 / one.speed, LATE, "loss: the way to it is the room"
+    ),
+    "the motion does not count": Fault(
+        "settle",
+        "settle/jump",
+        lambda footing: front_most(replace(footing, motion=footing.motion * 0)),
+        "stretches/settling-keeps-apart (one above two)",
+        "invariant/step-seat",
+    ),
+    "it stands on air": Fault(
+        "settle",
+        "settle/fall",
+        lambda footing: Found(stands=True, support=None),
+        "stretches/settling-keeps-apart (one above another)",
+        "invariant/step-support",
+    ),
+}
+
+
+@pytest.mark.parametrize("fault", FAULTS.values(), ids=FAULTS)
+def test_a_wrong_rule_is_refuted_with_values(fault):
+    assert fault.says in broken(RESTS[fault.obligation], with_effect(fault.field, fault.rule, fault.effect))
+
+
+def test_a_step_that_goes_on_too_long_or_records_wrongly_is_refuted(monkeypatch):
+    monkeypatch.setattr(stretches, "go_on", lambda world, ways, time, marks: step.go_on(world, ways, time * 2, marks))
+    kept = of_window(stretches.stretches_keep_apart, WINDOWS[0])
+    assert "invariant/step-motion" in broken(kept)
+    monkeypatch.setattr(stretches, "go_on", step.go_on)
+    monkeypatch.setattr(step, "lasting", lambda ways, marks: marks)
+    assert "what is recorded is so" in broken(kept)
+
+
+def test_a_step_that_does_not_stop_at_the_first_event_is_refuted(monkeypatch):
+    def at_the_end(coming, left):
+        return step.Instant(left, tuple(coming), last=True)
+
+    monkeypatch.setattr(stretches, "next_instant", at_the_end)
+    assert "nothing comes before" in broken(RESTS["stretches/no-event-is-passed-over"])
+
+
+def test_who_falls_next_to_another_without_looking_is_refuted(monkeypatch):
+    blind = replace(REPAIRED.rules.settle, rules=[r for r in REPAIRED.rules.settle.rules if r.id != "settle/jump"])
+    falls = replace(blind.rules[-1], guard=blind.rules[-1].guard[:2])
+    wrong = replace(REPAIRED, rules=replace(REPAIRED.rules, settle=Family("settle", (*blind.rules[:-1], falls))))
+    assert "invariant/step-margin" in broken(of_window(stretches.settling_keeps_apart, LOSSES[0]), wrong)
+
+
+class Storey:
+    """A storey with some bodies."""
+
+    def __init__(self, bodies):
+        self.bodies = range(bodies)
+
+    def row(self, storey):
+        """All of them."""
+        return self.bodies
+
+
+@pytest.mark.parametrize("bodies", range(1, 8))
+def test_rows_are_of_bodies_whose_contacts_are_recorded(bodies):
+    pairs = [Contact(body, (body + 1) % bodies) for body in range(bodies)] if bodies > 1 else []
+    for touch in product((False, True), repeat=len(pairs)):
+        marks = {pair for pair, touches in zip(pairs, touch, strict=True) if touches} | {Seat(0, 0, None)}
+        found = list(step.rows(Storey(bodies), 0, marks))
+        behind = {Contact(*pair) for row, _ in found for pair in pairwise(row)}
+        closed = [row for row, closes in found if closes]
+        assert sorted(chain.from_iterable(row for row, _ in found)) == list(range(bodies))
+        assert behind == {mark for mark in marks if isinstance(mark, Contact)} - {
+            Contact(row[-1], row[0]) for row in closed
+        }
+        assert bool(closed) == (bool(pairs) and all(touch))
