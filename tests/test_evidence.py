@@ -45,6 +45,9 @@ FLOORS_OF_VERDICTS = {
         step-progress step-squeezed step-one-key
         one-display-rule-applies falls-are-smooth falls-arrive shown-upon-support turns-are-smooth centres-are-lawful
         no-falls-no-leaving no-collisions-no-pushing no-width-no-jumps
+        no-falls-no-leaving no-collisions-no-pushing no-width-no-jumps
+        step-margin step-terrain step-support step-seat step-order step-motion step-not-raised step-bystanders
+        step-progress step-squeezed step-one-key
     """,
     BOUNDED: """
         proxy-on-level-ground whole-rows terrain plane-apart-of-two horizontal-alone
@@ -59,6 +62,7 @@ FLOORS_OF_VERDICTS = {
         trouble-is-gone/no-width trouble-is-gone/no-collisions/no-falls trouble-is-gone/no-collisions/no-width
         trouble-is-gone/no-falls/no-width trouble-is-gone/overshoot/no-collisions trouble-is-gone/overshoot/no-width
         trouble-is-gone/overshoot/no-collisions/no-width
+        step-instants step-split step-mirror whole-steps requests-end-alike
     """,
     TESTED: """
         rule-count invariants-judge

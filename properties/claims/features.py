@@ -151,6 +151,7 @@ def order(profile: Profile, expected: Verdict) -> Claim:
         (PLANE_START.id, GUIDELINES.id),
         expected,
         hunt=hunt,
+        long=expected is Verdict.BOUNDED,
     )
 
 
