@@ -6,6 +6,7 @@ BIN    := $(VENV)/bin
 PIP    := $(BIN)/python -m pip --quiet --disable-pip-version-check
 PINNED := $(VENV)/.pinned
 READY  := $(VENV)/.ready
+COMPARED := $(VENV)/.compared
 SMTLIB := build/smtlib
 BROKEN := build/smtlib-mutants
 SCENARIOS ?= 100000
@@ -16,7 +17,7 @@ SOURCE := $(shell find spec reference properties -name '*.py')
 
 .PHONY: help
 help: ## list the targets
-	@awk -F ':.*## ' '/^[a-z.-]+:.*## / { printf "  make %-14s %s\n", $$1, $$2 }' $(firstword $(MAKEFILE_LIST))
+	@awk -F ':.*## ' '/^[a-z.-]+:.*## / { printf "  make %-16s %s\n", $$1, $$2 }' $(firstword $(MAKEFILE_LIST))
 
 # The packages exactly as pinned: made from nothing whenever the pins change.
 $(PINNED): requirements.txt
@@ -62,6 +63,19 @@ bench: $(READY) ## time the proofs, beside CrossHair; write docs/benchmarks.md
 	@$(BIN)/pytest tests/benchmarks -o python_files='bench_*.py' -p no:xdist --benchmark-only --benchmark-quiet \
 		--benchmark-timer=time.process_time --benchmark-json=build/bench.json
 	@PYTHONPATH=tests $(BIN)/python -m benchmarks.page build/bench.json docs/benchmarks.md
+
+# What the evaluation needs besides, in the versions that fit the other pins.
+$(COMPARED): requirements-evaluation.txt $(READY)
+	@$(PIP) install --require-hashes -r requirements-evaluation.txt
+	@touch $@
+
+.PHONY: evaluation
+evaluation: $(COMPARED) ## run the evaluation of the thesis anew, beside Box2D; write docs/evaluation.md with its data
+	@PYTHONPATH=tests $(BIN)/python -m evaluation
+
+.PHONY: evaluation-check
+evaluation-check: $(COMPARED) ## run it again, but for the times, and fail if that differs from docs/evaluation.md
+	@PYTHONPATH=tests $(BIN)/python -m evaluation check
 
 .PHONY: mutants
 mutants: $(READY) ## show that wrong rules, contracts, invariants and engines are caught, as docs/mutants.md says
@@ -116,12 +130,15 @@ format: $(READY) ## format the code and sort the imports
 # uv resolves once for every supported Python and platform. It lives in a throw-away environment,
 # because nothing but this target needs it.
 .PHONY: pins
-pins: ## resolve requirements.txt anew, to the newest versions that pyproject.toml allows
+pins: ## resolve the pins anew, to the newest versions that pyproject.toml allows
 	@$(PYTHON) -m venv build/pins
 	@build/pins/bin/python -m pip --quiet --disable-pip-version-check install --upgrade uv
 	@build/pins/bin/uv pip compile --quiet --upgrade --universal --python-version 3.11 \
 		--fork-strategy fewest --generate-hashes --extra dev \
 		--custom-compile-command 'make pins' --output-file requirements.txt pyproject.toml
+	@build/pins/bin/uv pip compile --quiet --upgrade --universal --python-version 3.11 \
+		--fork-strategy fewest --generate-hashes --extra evaluation --constraints requirements.txt \
+		--custom-compile-command 'make pins' --output-file requirements-evaluation.txt pyproject.toml
 
 .PHONY: clean
 clean: ## remove everything that can be made again

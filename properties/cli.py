@@ -216,6 +216,32 @@ def validate(
 
 
 @app.command()
+def lint(
+    level: Annotated[Path, typer.Argument(help="A level or scenario file.")],
+    profile: Annotated[
+        str | None, typer.Option(help="The profile; if left out, that of the scenario, or thesis.")
+    ] = None,
+    as_json: Annotated[bool, typer.Option("--json", help="As a JSON document.")] = False,
+) -> None:
+    """Look for what may go wrong in a level. Exit status 1 if anything was found."""
+    import msgspec
+
+    from properties.lint.account import account, anything, record_of, write_scenarios
+    from properties.lint.findings import found_in, opened
+    from reference.formats.files import FormatError
+
+    try:
+        linted = opened(level, profile)
+        record = record_of(linted, found_in(linted))
+        write_scenarios(record)
+    except FormatError as error:
+        refuse(str(error))
+    print(msgspec.json.encode(record).decode() if as_json else "\n".join(account(linted, record)))
+    if anything(record):
+        raise typer.Exit(1)
+
+
+@app.command()
 def draw(
     file: Annotated[Path, typer.Argument(help="A scenario, level or trace file.")],
     out: Annotated[Path, typer.Option(help="The directory for the drawings.")] = Path("build/drawings"),

@@ -20,12 +20,17 @@ from properties.results import Results
 from reference.formats.files import FormatError, read
 from reference.play import LIBRARY, library, play
 from reference.simulator import Fulfilled
+from spec.alternatives import ALTERNATIVES, Alternative
+from spec.case import Case
 from spec.differences import DIFFERENCES, Difference
+from spec.errata import Erratum
+from spec.evaluated import Evaluated
 from spec.models import Model
 from spec.profiles import Profile, SteppedProfile
 from spec.readings import Reading
 from spec.registry import Statement, statements, text_of
 from spec.rule import Rule
+from spec.unsupported import ChangeCase, LevelCase
 
 
 class UnknownID(KeyError):
@@ -135,11 +140,33 @@ def facts(statement: Statement) -> Iterator[Fact]:
     elif isinstance(statement, Model | Difference):
         yield Fact("seen in scenario", statement.scenario)
         yield replay(LIBRARY / "scenarios" / f"{statement.scenario}.json")
+    elif isinstance(statement, Evaluated):
+        yield Fact("judgement", statement.judgement.value)
+        yield Fact("measured in", f"docs/evaluation.md#{statement.section}")
     elif isinstance(statement, Reading):
         yield Fact("others could read", statement.others)
+        yield from (Fact("alternative", f"{one.id}: {one.sentence}") for one in ALTERNATIVES if one.of == statement.id)
         if statement.scenario:
             yield replay(LIBRARY / "scenarios" / f"{statement.scenario}.json")
+    elif isinstance(statement, Case | LevelCase | ChangeCase):
+        yield Fact("where", said(statement.happened if isinstance(statement, Case) else statement.found))
+    elif isinstance(statement, Erratum):
+        yield from of_erratum(statement)
+    elif isinstance(statement, Alternative):
+        yield Fact("instead of", f"{statement.of}: {everything()[statement.of].sentence}")
     yield from claims_about(statement)
+
+
+def of_erratum(erratum: Erratum) -> Iterator[Fact]:
+    """The printed rules, the scenario in which it is seen, what it refutes, what holds instead, and what shows that."""
+    table = everything()
+    named = {"printed": erratum.printed, "refutes": erratum.refuted, "mended by": erratum.mended}
+    for label, names in (named | {"shown by": erratum.evidence}).items():
+        yield from (Fact(label, f"{name}: {table[name].sentence}") for name in names)
+    if not erratum.mended:
+        yield Fact("mended", "no: kept on purpose")
+    yield Fact("seen in scenario", erratum.witness)
+    yield replay(LIBRARY / "scenarios" / f"{erratum.witness}.json")
 
 
 def replay(path: Path) -> Fact:
@@ -153,13 +180,15 @@ def said(thing: Any) -> str:
 
 
 def of_rule(rule: Rule[Any, Any]) -> Iterator[Fact]:
-    """Guard, effect, event and a scenario in which the rule fires."""
+    """Guard, effect, event and a scenario in which the rule fires; one that moves no body fires in none."""
     for conjunct in rule.guard:
         yield Fact("guard", f"{conjunct.__name__}: {said(conjunct)}")
     yield Fact("effect", f"{rule.effect.__name__}: {said(rule.effect)}")
     if rule.event is not None:
         yield Fact("event", rule.event)
-    found = firings()[rule.id]
+    found = firings().get(rule.id)
+    if found is None:
+        return
     asked = f"{found.move.body} asked {found.move.asked}, moved {found.move.moved}"
     yield Fact("fires in", f"{found.path.stem}, step {found.step} ({asked}), for {found.body}")
     yield replay(found.path)

@@ -13,11 +13,13 @@ from pathlib import Path
 from shutil import copyfile, rmtree
 
 from properties.claims.claim import Claim
+from properties.designs_page import with_costs
 from properties.evidence.files import RESULTS, RESULTS_LONG
 from properties.evidence.sources import sources
 from properties.explain import Fact, Firing, everything, facts, firings, witness_of
 from properties.pages import with_tables
 from properties.results import ClaimResult, Results
+from properties.slides import with_numbers
 from reference.draw import strip
 from reference.formats.files import FormatError, read
 from reference.recording import recording
@@ -48,6 +50,17 @@ PAGES = (
         ("condition", "guideline", "unsupported"),
     ),
     Page("differences.md", "Differences", "Why `repaired` ends otherwise than `thesis`.", ("difference",)),
+    Page("designs.md", "Designs", "How else bodies could be represented.", ("design",)),
+    Page(
+        "evaluated.md",
+        "Evaluated",
+        "What the thesis found of its prototype, and what a run here shows.",
+        ("evaluation",),
+    ),
+    Page("errata.md", "Errata", "What is wrong with the rules as printed, and what mends it.", ("erratum",)),
+    Page("mends.md", "Mends", "Changes of one decision each of the rules as printed.", ("mend",)),
+    Page("alternatives.md", "Alternatives", "What else the thesis could mean.", ("alternative",)),
+    Page("features.md", "Features", "What a profile can do without.", ("feature",)),
     Page("models.md", "Models", "What the level, the graph and time are.", ("model",)),
 )
 
@@ -115,6 +128,10 @@ def write_handbook(docs: Path) -> int:
     (to / "README.md").write_text("\n".join(index(table)) + "\n")
     formats = docs / "formats.md"
     formats.write_text(with_tables(formats.read_text()))
+    physics = docs / "physics.md"
+    physics.write_text(with_numbers(physics.read_text()))
+    designs = docs / "designs.md"
+    designs.write_text(with_costs(designs.read_text()))
     return len(table)
 
 
@@ -162,7 +179,7 @@ def linked(fact: Fact) -> str:
 
 def picture(one: Statement, shown: dict[str, ClaimResult], to: Path) -> Iterator[str]:
     """The picture of a rule where it fires, or of a claim by its witness."""
-    if isinstance(one, Rule):
+    if isinstance(one, Rule) and one.id in firings():
         found = firings()[one.id]
         drawn, name = strip(recording(found.path), found.step - 1, found.step), picture_of(found)
         text = f"{one.id} in {found.path.stem}"

@@ -14,10 +14,15 @@ SIMPLE = {"string": "text", "boolean": "true or false", "integer": "whole number
 
 def with_tables(page: str) -> str:
     """A page with the tables between its two marks made anew."""
-    before, _, rest = page.partition(BEGIN)
-    _, found, after = rest.partition(END)
+    return with_part(page, BEGIN, formats_tables(), END)
+
+
+def with_part(page: str, begin: str, part: str, end: str) -> str:
+    """A page with what stands between two marks made anew."""
+    before, _, rest = page.partition(begin)
+    _, found, after = rest.partition(end)
     assert found, "the page has no place for the tables"
-    return before + BEGIN + formats_tables() + END + after
+    return before + begin + part + end + after
 
 
 def formats_tables() -> str:

@@ -8,6 +8,7 @@ from typing import Any
 import msgspec
 
 from properties.conformance.record import ValidationRecord
+from properties.lint.record import LintRecord
 from properties.results import Results
 from reference.formats.level import LevelRecord
 from reference.formats.scenario import ScenarioRecord
@@ -31,6 +32,7 @@ KINDS = {
         "JSON lines: a header with the level, then each step with the state after it", (HeaderRecord, LineRecord)
     ),
     "validation": Kind("what `graphbody validate --json` found in a trace, one line each", (ValidationRecord,)),
+    "lint": Kind("what `graphbody lint --json` found in a level", (LintRecord,)),
     "results": Kind("what a run of the check showed, claim by claim", (Results,)),
 }
 

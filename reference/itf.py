@@ -27,6 +27,7 @@ WHERE = (
     "action.value.speeds",
     "events.time",
     "events.velocities",
+    "velocities",
 )
 
 
@@ -38,6 +39,7 @@ def text(trace: Recording) -> Iterator[str]:
     """
     buttons = bool(trace.level.buttons)
     names = ["step", "action", "bodies", "fired", "events", *(["pressed", "solved"] if buttons else [])]
+    names += ["velocities"] if any(body.motion is not None for body in trace.level.bodies) else []
     yield f'{{"#meta": {json.dumps(meta_of(trace.header))},\n"vars": {json.dumps(names)},\n"states": [\n'
     yield json.dumps(start_of(trace))
     for number, line in enumerate(trace.lines, start=1):
@@ -80,7 +82,8 @@ def state_of(line: LineRecord, number: int, buttons: bool) -> dict[str, Any]:
     }
     if buttons:
         state |= {"pressed": line.pressed or [], "solved": line.solved or False}
-    return state
+    rolling = [[place.name, rational(place.velocity)] for place in line.bodies if place.velocity is not None]
+    return state | ({"velocities": {"#map": rolling}} if rolling else {})
 
 
 def event_of(one: EventRecord) -> dict[str, Any]:

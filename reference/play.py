@@ -30,7 +30,7 @@ from reference.simulator import Endless, Fulfilled, Game, Happened
 from reference.stepping import StepGame
 from reference.world import LevelError
 from spec.body import Body, Level
-from spec.graph import Direction
+from spec.features import WIDE, Widths
 from spec.number import N
 from spec.profiles import PROFILES, AnyProfile, SteppedProfile
 from spec.transform import body_with_numbers, in_floats
@@ -41,6 +41,10 @@ SAME_BODIES = "expected a request or a tick: under this profile a level keeps it
 ONE_BY_ONE = 'expected a request or a tick: only under "profile": "repaired" are bodies driven, all at once'
 
 AnyGame = Game[Any] | StepGame[Any]
+
+
+class Unwieldy(Exception):
+    """Velocities have made exact numbers so long that no file can hold them."""
 
 
 @dataclass(frozen=True)
@@ -115,6 +119,11 @@ def profile_of(name: str) -> AnyProfile:
     return PROFILES[name]
 
 
+def widths_of(profile: AnyProfile) -> Widths:
+    """The widths that bodies have under a profile."""
+    return WIDE if isinstance(profile, SteppedProfile) else profile.widths
+
+
 def set_up(scenario: ScenarioRecord, level: LevelRecord, floats: bool) -> AnyGame:
     """The game of a scenario at its start.
 
@@ -122,7 +131,7 @@ def set_up(scenario: ScenarioRecord, level: LevelRecord, floats: bool) -> AnyGam
         LevelError: if the level, the profile or a step's body is not as it must be.
     """
     profile = profile_of(scenario.profile)
-    held = valid_level(level, "$.level")
+    held = valid_level(level, "$.level", widths=widths_of(profile))
     distances = list(distances_of(scenario, held))
     asked = ((place, (distance,)) for place, distance in distances)
     check_sums(chain(numbers_of(held), distances_per_tick(held), asked))
@@ -167,8 +176,8 @@ def rounded(level: Level[Any]) -> Level[float]:
         LevelError: if floats do not tell the borders of a body apart.
     """
     binary = in_floats(level)
-    for i, body in enumerate(binary.bodies):
-        if body.left == body.right:
+    for i, (body, exactly) in enumerate(zip(binary.bodies, level.bodies, strict=True)):
+        if body.left == body.right and exactly.left != exactly.right:
             raise LevelError(f"$.level.bodies[{i}]", "expected borders that floats tell apart")
     return binary
 
@@ -231,7 +240,7 @@ def steps(game: AnyGame, asked: list[StepRecord], floats: bool, path: Path) -> I
             place = error.place.removeprefix(f"$.bodies[{len(game.level.bodies)}]").removeprefix("$")
             kind = "remove" if step.add is None else "add"
             raise FormatError(one_line(f"{path}: $.steps[{number}].{kind}{place}: {error.problem}")) from None
-        except Endless as error:
+        except (Endless, Unwieldy) as error:
             raise FormatError(f"{path}: $.steps[{number}]: {error}") from None
 
 
@@ -242,12 +251,29 @@ def ticks(game: AnyGame, step: StepRecord, floats: bool) -> Iterator[Played[Any]
         yield played(game, step.request, [game.request(step.request.body, float(distance) if floats else distance)])
     if step.tick is not None:
         tick = TickRecord(step.tick.key)
-        for _ in range(step.tick.times):
-            yield played(game, tick, game.tick(Direction[tick.key.upper()]))
+        for count in range(1, step.tick.times + 1):
+            moves = game.tick(tick.direction)
+            check_length(game, count)
+            yield played(game, tick, moves)
     if step.drive is not None and isinstance(game, StepGame):
         kind: Any = float if floats else Fraction
         speeds = {name: kind(exact(speed, "$")) for name, speed in step.drive.speeds.items()}
         yield played(game, step.drive, game.drive(speeds, kind(exact(step.drive.time, "$"))))
+
+
+def check_length(game: AnyGame, count: int) -> None:
+    """Refuse to go on where velocities make exact numbers longer and longer, so that no trace could be read again.
+
+    Raises:
+        Unwieldy: if that is so after so many ticks of a step.
+    """
+    for body in game.world.bodies:
+        if body.motion is None or not isinstance(body.motion.velocity, Fraction):
+            continue
+        try:
+            check_sums([("$", (body.left.location, body.right.location, body.motion.velocity))])
+        except LevelError as error:
+            raise Unwieldy(f"tick {count}: {body.name!r}: {error.problem}; floats have no such limit") from None
 
 
 def comings(game: AnyGame, step: StepRecord, floats: bool) -> Iterator[Played[Any]]:

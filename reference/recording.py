@@ -21,16 +21,18 @@ from reference.formats.level import (
     tops_of,
     valid_level,
 )
-from reference.formats.numbers import number_text
+from reference.formats.numbers import exact, number_text
 from reference.formats.scenario import DriveRecord, RemoveRecord, RequestRecord, TickRecord, check_step
 from reference.formats.trace import EventRecord, HeaderRecord, LineRecord, MoveRecord, PlaceRecord, check_line
 from reference.plan import without
-from reference.play import ONE_BY_ONE, SAME_BODIES, Played, Playing, format_of, play, profile_of
+from reference.play import ONE_BY_ONE, SAME_BODIES, Played, Playing, format_of, play, profile_of, widths_of
 from reference.simulator import Fulfilled, Happened
 from reference.world import LevelError, World, standing
 from spec.body import Body, Level
+from spec.features import WIDE, Widths
 from spec.profiles import AnyProfile, SteppedProfile
 from spec.registry import rules_of
+from spec.rules.velocity import Motion
 
 
 @dataclass(frozen=True)
@@ -52,7 +54,8 @@ def recording(path: Path, floats: bool = False) -> Recording:
     if format_of(path).startswith("graphbody/trace@"):
         return read_trace(path)
     playing = play(path, floats)
-    level, profile = valid_level(playing.level, "$"), playing.game.profile
+    profile = playing.game.profile
+    level = valid_level(playing.level, "$", widths=widths_of(profile))
     return Recording(header_of(playing, floats), level, profile, lines_of(playing))
 
 
@@ -65,7 +68,8 @@ def read_trace(path: Path) -> Recording:
     content = pieces(path)
     header = decode(next(content, b""), HeaderRecord, f"{path}:1")
     try:
-        profile, level = profile_of(header.profile), valid_level(header.level, "$.level", header.numbers)
+        profile = profile_of(header.profile)
+        level = valid_level(header.level, "$.level", header.numbers, widths_of(profile))
     except LevelError as error:
         raise FormatError(one_line(f"{path}:1: {error}")) from None
     tops = tops_of(header.level, len(level.graph.edges))
@@ -168,7 +172,8 @@ def move_record(move: Fulfilled[Any]) -> MoveRecord:
 
 def place_record(body: Body[Any], level: Level[Any]) -> PlaceRecord:
     """Where a body is, as it stands in a trace."""
-    return PlaceRecord(body.name, position_record(body.left, level), position_record(body.right, level))
+    velocity = None if body.motion is None else number_text(body.motion.velocity)
+    return PlaceRecord(body.name, position_record(body.left, level), position_record(body.right, level), velocity)
 
 
 def supports_of(bodies: tuple[Body[Any], ...], level: Level[Any]) -> dict[str, str]:
@@ -187,7 +192,7 @@ def following(level: Level[Fraction], line: LineRecord) -> Level[Fraction]:
     return level
 
 
-def state_after(level: Level[Fraction], line: LineRecord) -> World[Fraction]:
+def state_after(level: Level[Fraction], line: LineRecord, widths: Widths = WIDE) -> World[Fraction]:
     """The world in which a line of a trace says that its step ended: any state that bodies can be in, good or bad.
 
     Raises:
@@ -199,5 +204,21 @@ def state_after(level: Level[Fraction], line: LineRecord) -> World[Fraction]:
     for body in level.bodies:
         at, place = places[body.name]
         left, right = position_of(place.left, tops, f"{at}.left"), position_of(place.right, tops, f"{at}.right")
-        bodies.append(replace(body, left=left, right=right))
-    return standing(replace(level, bodies=tuple(bodies)))
+        motion = motion_after(body, place.velocity, f"{at}.velocity")
+        bodies.append(replace(body, left=left, right=right, motion=motion))
+    return standing(replace(level, bodies=tuple(bodies)), widths)
+
+
+def motion_after(body: Body[Fraction], velocity: Any, place: str) -> Motion[Fraction] | None:
+    """The motion of a body with the velocity that a line says it has.
+
+    Raises:
+        LevelError: if the body has none, or the line does not say a number where it has.
+    """
+    if body.motion is None:
+        if velocity is not None:
+            raise LevelError(place, f"expected none: {body.name!r} has no velocity of its own")
+        return None
+    if velocity is None:
+        raise LevelError(place, f"expected the velocity of {body.name!r}, which moves of its own")
+    return replace(body.motion, velocity=exact(velocity, place))

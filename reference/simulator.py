@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Generator
-from dataclasses import asdict, dataclass, field
+from dataclasses import asdict, dataclass, field, replace
 from typing import Any, Generic
 
-from reference.world import Work, World
-from spec.body import Level
+from reference.physics import set_off
+from reference.world import Facing, Work, World
+from spec.body import Body, Level
 from spec.graph import Direction
 from spec.number import N, greater, zero_like
-from spec.profiles import Profile
+from spec.profiles import AnyProfile, Profile
 from spec.rule import AnyRule, Chooser
 from spec.rules.request import Ask, Rules, request
+from spec.rules.velocity import Motion, VelocityRules, meet
 
 MOST_FIRED = 1_000_000
 
@@ -54,6 +56,10 @@ class Record:
         if self.most is not None and len(self.fired) > self.most:
             raise Endless(f"expected a step that ends, more than {self.most} rules fired")
 
+    def named(self, name: str) -> tuple[tuple[str, str], ...]:
+        """The rules that fired, if they are all of the body of a name."""
+        return tuple((name, rule) for _, rule in self.fired)
+
     @property
     def transitions(self) -> int:
         """How often a border has passed on to the next edge."""
@@ -77,6 +83,11 @@ class Heard:
 def heard(rules: Rules, record: Record) -> Rules:
     """The same rules, recorded."""
     return rules.through(lambda family: Heard(family, record))
+
+
+def heard_velocity(profile: AnyProfile, record: Record) -> VelocityRules:
+    """The rules of velocity of a profile, recorded."""
+    return profile.velocity.through(lambda family: Heard(family, record))
 
 
 def fulfil(start: Ask[N, int], begin: Callable[[Ask[N, int]], Generator[Ask[N, int], N, N]], record: Record) -> N:
@@ -104,9 +115,17 @@ def fulfil(start: Ask[N, int], begin: Callable[[Ask[N, int]], Generator[Ask[N, i
 
 
 def move(
-    profile: Profile, world: World[N], body: int, direction: Direction, distance: N, most: int | None = None
+    profile: Profile,
+    world: World[N],
+    body: int,
+    direction: Direction,
+    distance: N,
+    most: int | None = None,
+    asked: Callable[..., Generator[Ask[N, int], N, N]] = request,
 ) -> tuple[N, Record]:
     """Request `body` to move by `distance >= 0` in a direction; return the distance moved and the record.
+
+    `asked` is how each request of the chain is carried out.
 
     Raises:
         Endless: if more than `most` rules fire.
@@ -116,7 +135,7 @@ def move(
     limit = profile.push_limit(len(world.bodies))
 
     def begin(ask: Ask[N, int]) -> Generator[Ask[N, int], N, N]:
-        return request(rules, view, ask.body, ask.distance, ask.spare)
+        return asked(rules, view, ask.body, ask.distance, ask.spare)
 
     return fulfil(Ask(body, distance, limit - 1), begin, record), record
 
@@ -170,8 +189,16 @@ class Game(Generic[N]):
 
     def __post_init__(self) -> None:
         """Set the level up; that it is valid is for `world_of` to check, in exact numbers."""
-        self.world = World(self.level)
+        self.world = self.laid_out()
         self.handles = {body.name: handle for handle, body in enumerate(self.level.bodies)}
+
+    def laid_out(self) -> World[N]:
+        """The world of the level."""
+        return World(self.level)
+
+    def asked(self, rules: Rules, view: Facing[N], body: int, distance: N, spare: int) -> Generator[Ask[N, int], N, N]:
+        """Carry out one request of a chain."""
+        return request(rules, view, body, distance, spare)
 
     def request(self, body: str, distance: N) -> Fulfilled[N]:
         """Request a body to move by a signed distance, positive to the right."""
@@ -179,16 +206,32 @@ class Game(Generic[N]):
         direction = Direction.LEFT if distance < zero else Direction.RIGHT
         size = greater(distance, zero - distance)
         self.world.work = Work()
-        moved, record = move(self.profile, self.world, self.handles[body], direction, size, self.most)
+        moved, record = move(self.profile, self.world, self.handles[body], direction, size, self.most, self.asked)
         work = {**asdict(self.world.work), "transitions": record.transitions}
         fired = tuple((self.world.bodies[handle].name, rule) for handle, rule in record.fired)
         return Fulfilled(body, distance, moved * direction, fired, record.depth, work)
 
-    def tick(self, direction: Direction) -> list[Fulfilled[N]]:
-        """One tick with one key held: each character in turn moves by its speed times the tick (R1, R4)."""
-        bodies = {body.name: body for body in self.level.bodies}
-        characters = [name for name in self.profile.tick_order(list(bodies)) if bodies[name].speed]
-        return [self.request(name, self.per_tick(bodies[name].speed) * direction) for name in characters]
+    def tick(self, direction: Direction | None) -> list[Fulfilled[N]]:
+        """One tick with one key held, or none: each in turn moves by its speed or velocity times the tick (R1, R4)."""
+        turns = []
+        for name in self.profile.tick_order(list(self.handles)):
+            body = self.world.bodies[self.handles[name]]
+            if body.motion is not None:
+                turns.append(self.roll(body, body.motion))
+            elif body.speed and direction is not None:
+                turns.append(self.request(name, self.per_tick(body.speed) * direction))
+        return turns
+
+    def roll(self, body: Body[N], motion: Motion[N]) -> Fulfilled[N]:
+        """The turn of a body that moves of its own: velocity, then distance, then move (5.2; R10)."""
+        handle, tick = self.handles[body.name], self.level.tick
+        record = Record(handle)
+        rules = heard_velocity(self.profile, record)
+        meant = set_off(rules, self.world, handle, motion)
+        done = self.request(body.name, self.per_tick(meant.velocity))
+        after = meet(rules, meant, done.moved == done.asked, done.moved / tick)
+        self.world.bodies[handle] = replace(self.world.bodies[handle], motion=after)
+        return replace(done, fired=(*record.named(body.name), *done.fired))
 
     def per_tick(self, speed: N) -> N:
         """The distance that a speed covers in one tick."""

@@ -9,8 +9,9 @@ from typing import Any, Generic
 
 from reference.formats.numbers import exact
 from reference.formats.scenario import StepRecord
+from reference.physics import left_to, set_off, with_motions
 from reference.plan import check_added, plan_of, without
-from reference.simulator import Endless, Fulfilled, Happened
+from reference.simulator import Endless, Fulfilled, Happened, Record, heard_velocity
 from reference.storeys import StoreyWorld
 from reference.world import LevelError, World, standing
 from spec.body import Body, Level
@@ -20,6 +21,7 @@ from spec.profiles import SteppedProfile
 from spec.rule import AnyRule, Chooser
 from spec.rules.settle import Change
 from spec.rules.step import Event, Moment, StepRules, step
+from spec.rules.velocity import Motion
 from spec.storeys import Contact, Drive, Seat
 
 MOST_CHOSEN = 10_000_000
@@ -138,14 +140,38 @@ class StepGame(Generic[N]):
         self.world = World(self.level)
         self.names = [body.name for body in self.level.bodies]
         self.happened: tuple[Happened[N], ...] = ()
+        self.speeds: Mapping[int, N] = {}
 
     def request(self, body: str, distance: N) -> Fulfilled[N]:
         """Drive one body at unit speed for as long as a signed distance, positive to the right."""
         return self.step(*of_request(self.level, body, distance))[0]
 
-    def tick(self, direction: Direction) -> list[Fulfilled[N]]:
-        """One tick with one key held: each character walks at its speed (R1, R4)."""
-        return self.step(*of_tick(self.level, direction))
+    def tick(self, direction: Direction | None) -> list[Fulfilled[N]]:
+        """One tick with one key held, or none: each character walks at its speed (R1, R4).
+
+        A body with a velocity of its own is driven by it, relative to its support (R10, R26).
+        """
+        records = {body: Record(body) for body, _ in self.motions()}
+        rules = {body: heard_velocity(self.profile, record) for body, record in records.items()}
+        motions = {body: set_off(rules[body], self.world, body, motion) for body, motion in self.motions()}
+        self.have(motions)
+        results = self.step(*of_tick(self.level, direction))
+        left = {body: left_to(rules[body], self.storeys, body, motions[body], self.speeds) for body in rules}
+        self.have(left)
+        fired = {self.names[body]: record.named(self.names[body]) for body, record in records.items()}
+        return [replace(one, fired=(*fired.get(one.body, ()), *one.fired)) for one in results]
+
+    def motions(self) -> Iterator[tuple[int, Motion[N]]]:
+        """The bodies with a velocity of their own."""
+        return ((body, held.motion) for body, held in enumerate(self.world.bodies) if held.motion is not None)
+
+    def have(self, motions: Mapping[int, Motion[N]]) -> None:
+        """Let bodies have other motions."""
+        if not motions:
+            return
+        self.level = with_motions(self.level, motions)
+        self.plan = replace(self.plan, level=self.level)
+        self.world = World(replace(self.level, bodies=self.plan.bodies(self.storeys)))
 
     def drive(self, speeds: Mapping[str, N], duration: N) -> list[Fulfilled[N]]:
         """Drive bodies for a time: characters in the plane, boxes relative to what they stand on."""
@@ -186,6 +212,7 @@ class StepGame(Generic[N]):
         still = {body: Drive(zero_like(duration)) for body in range(len(self.names))}
         moments, record = run(self.profile.rules, self.storeys, {**still, **driven}, duration, self.most)
         self.world = World(replace(self.level, bodies=self.plan.bodies(self.storeys)))
+        self.speeds = moments[-1].velocities
         movers = {body for moment in moments for body, speed in moment.velocities.items() if speed * moment.moved}
         fired = tuple((self.names[body], rule) for body, rule in record.told({*driven, *movers}))
         self.happened = tuple(told(self.names, duration, moments))
@@ -209,9 +236,11 @@ def of_request(level: Level[N], body: str, distance: N) -> Driven[N]:
     return of_drive(level, {body: one * -1 if distance < zero else one}, greater(distance, zero - distance))
 
 
-def of_tick(level: Level[N], direction: Direction) -> Driven[N]:
-    """What a tick is as a step."""
-    return of_drive(level, {body.name: body.speed * direction for body in level.bodies if body.speed}, level.tick)
+def of_tick(level: Level[N], direction: Direction | None) -> Driven[N]:
+    """What a tick is as a step: characters walk, and bodies with a velocity of their own slide."""
+    walking = {body.name: body.speed * direction for body in level.bodies if body.speed and direction is not None}
+    sliding = {body.name: body.motion.velocity for body in level.bodies if body.motion is not None}
+    return of_drive(level, {**walking, **sliding}, level.tick)
 
 
 def of_drive(level: Level[N], speeds: Mapping[str, N], duration: N) -> Driven[N]:
@@ -226,7 +255,7 @@ def of_step(level: Level[Fraction], asked: StepRecord) -> Driven[Fraction]:
     if asked.request is not None:
         return of_request(level, asked.request.body, exact(asked.request.distance, "$"))
     if asked.tick is not None:
-        return of_tick(level, Direction[asked.tick.key.upper()])
+        return of_tick(level, asked.tick.direction)
     assert asked.drive is not None
     speeds = {name: exact(speed, "$") for name, speed in asked.drive.speeds.items()}
     return of_drive(level, speeds, exact(asked.drive.time, "$"))

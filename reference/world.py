@@ -15,13 +15,13 @@ from dataclasses import dataclass, field, replace
 from typing import Generic
 
 from spec.body import Body, EdgePosition, Level
-from spec.graph import Direction, EdgeType, Graph
+from spec.features import WIDE, Widths
+from spec.graph import Direction, Edge, EdgeType, Graph, Vertex, extent
 from spec.interpolation import linear
 from spec.number import N, zero_like
 from spec.world import Beyond, Jump
 
 MOST_STOREYS = 100
-LEFT_OF_RIGHT = "expected the left border to be left of the right border"
 
 
 class LevelError(ValueError):
@@ -276,6 +276,16 @@ class World(Generic[N]):
             return x + circumference, y
         return x, y
 
+    def edges_under(self, body: int) -> tuple[Edge[N], Edge[N]]:
+        """The static edges of the left and the right border of a body that stands on the ground."""
+        held = self.bodies[body]
+        return self.graph.edges[held.left.edge], self.graph.edges[held.right.edge]
+
+    def extent(self, body: int) -> tuple[N, N]:
+        """How far it is across and up from the left border of a body to the right one."""
+        held = self.bodies[body]
+        return extent(Vertex(*self.point(held.left)), Vertex(*self.unrolled(held)), zero_like(self.margin))
+
     def tip_point(self, edge: int, direction: Direction) -> tuple[N, N]:
         """Where an end of an edge is: a static one exactly at its vertex, in floats too."""
         if edge < self.statics:
@@ -483,9 +493,13 @@ class Facing(Generic[N]):
 
     def is_free(self, near: EdgePosition[N], body: int) -> bool:
         """Whether the first body length from a ledge is free, and a margin more (A54)."""
+        room = self.room(near)
+        return room is None or bool(room >= self.world.width(body) + self.world.margin)
+
+    def room(self, near: EdgePosition[N]) -> N | None:
+        """How far the first body on a string is from the near end of it; None if nobody is there."""
         row = self.world.row_of_edge[near.edge]
-        first = row.order[0 if self.direction is Direction.RIGHT else -1] if row.order else None
-        return first is None or bool(self.gap(near, first) >= self.world.width(body) + self.world.margin)
+        return self.gap(near, row.order[0 if self.direction is Direction.RIGHT else -1]) if row.order else None
 
     def place(self, body: int, front: EdgePosition[N], rear: EdgePosition[N]) -> None:
         """Put the borders of a body."""
@@ -514,7 +528,7 @@ def check_top(level: Level[N], index: int, body: Body[N]) -> None:
     if body.left.edge != body.right.edge:
         raise LevelError(f"$.bodies[{index}].right", "expected both borders on the same top")
     if body.left.location >= body.right.location:
-        raise LevelError(f"$.bodies[{index}]", LEFT_OF_RIGHT)
+        raise LevelError(f"$.bodies[{index}]", WIDE.expected)
 
 
 def check_edge(level: Level[N], index: int, side: str, at: EdgePosition[N]) -> None:
@@ -561,14 +575,14 @@ def check_buttons(world: World[N]) -> None:
             raise LevelError(f"$.buttons[{i}].location", f"expected 0 to {length}, got {at.location}")
 
 
-def standing(level: Level[N]) -> World[N]:
+def standing(level: Level[N], widths: Widths = WIDE) -> World[N]:
     """The world of a level in which bodies stand, wherever that is: perhaps within each other, or in a wall.
 
     Raises:
-        LevelError: if a body has no width, or stands on nothing.
+        LevelError: if a body has another width than bodies may have, or stands on nothing.
     """
     world = laid_out(level)
-    check_widths(world)
+    check_widths(world, widths)
     return world
 
 
@@ -584,15 +598,17 @@ def laid_out(level: Level[N]) -> World[N]:
     return world
 
 
-def check_widths(world: World[N]) -> None:
-    """Refuse a body whose left border is not left of its right border."""
+def check_widths(world: World[N], widths: Widths = WIDE) -> None:
+    """Refuse a body of another width than bodies may have: any, if its left border is left of its right border."""
     for body in world.handles():
-        if world.width(body) <= zero_like(world.margin):
-            raise LevelError(f"$.bodies[{body}]", LEFT_OF_RIGHT)
+        if not widths.has(world.width(body)):
+            raise LevelError(f"$.bodies[{body}]", widths.expected)
 
 
-def world_of(level: Level[N], tolerance: N | None = None) -> World[N]:
-    """The world of a level at its start; `tolerance` is how far its numbers may be off, if they may.
+def world_of(level: Level[N], tolerance: N | None = None, widths: Widths = WIDE) -> World[N]:
+    """The world of a level at its start, whose bodies have such widths.
+
+    `tolerance` is how far its numbers may be off, if they may.
 
     Raises:
         LevelError: if its bodies do not lie on its strings of edges, margin by margin.
@@ -602,7 +618,7 @@ def world_of(level: Level[N], tolerance: N | None = None) -> World[N]:
     for body in world.handles():
         check_overhang(world, body, least)
     check_buttons(world)
-    check_widths(world)
+    check_widths(world, widths)
     for row in world.rows:
         if row.closed and row.free is not None and row.free < least:
             raise LevelError("$.bodies", f"the bodies are wider than the ring by {row.free * -1}")

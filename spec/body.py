@@ -7,6 +7,7 @@ from typing import Generic
 
 from spec.graph import Direction, Graph
 from spec.number import N
+from spec.rules.velocity import Motion
 
 
 @dataclass(frozen=True)
@@ -24,7 +25,8 @@ class EdgePosition(Generic[N]):
 class Body(Generic[N]):
     """A graphbody: a character if its speed is not 0, else a box.
 
-    Speed is distance per second. A body of which `pushes` is False pushes nobody (1.1, A39).
+    Speed is distance per second. A body of which `pushes` is False pushes nobody (1.1, A39). A body with a `motion`
+    moves of its own in each tick: static, with the velocity that is set, or dynamic (6.3.1; R26).
     """
 
     name: str
@@ -33,6 +35,7 @@ class Body(Generic[N]):
     speed: N
     height: N
     pushes: bool = True
+    motion: Motion[N] | None = None
 
     def border(self, direction: Direction) -> EdgePosition[N]:
         """The border on one side."""

@@ -44,7 +44,8 @@ class Edge(Generic[N]):
     """An edge from its left to its right vertex (indices), with its length along the graph.
 
     `run` and `rise` are how far it goes to the right and up for each unit of its length. Under a ground edge the
-    terrain is solid, down to `thickness` below it, or without end where that is None.
+    terrain is solid, down to `thickness` below it, or without end where that is None. `friction` is the coefficient of
+    the ground, or None if it has none of its own (6.3.4; O9).
     """
 
     left: int
@@ -54,6 +55,7 @@ class Edge(Generic[N]):
     run: N
     rise: N
     thickness: N | None = None
+    friction: N | None = None
 
     def towards(self, direction: Direction) -> int:
         """The vertex at the edge's end in a direction."""
@@ -117,12 +119,13 @@ def extent(left: Vertex[N], right: Vertex[N], shift: N) -> tuple[N, N]:
 
 @dataclass(frozen=True)
 class ExplicitEdge:
-    """An edge as a level names it: its ends, its type (by steepness if None), and the thickness of its ground."""
+    """An edge as a level names it: its ends, its type (by steepness if None), thickness and friction."""
 
     left: int
     right: int
     type: EdgeType | None = None
     thickness: Fraction | None = None
+    friction: Fraction | None = None
 
 
 def edge_between(
@@ -144,7 +147,8 @@ def edge_between(
         raise NoLength(index)
     steep = up * up > 3 * across * across
     edge_type = named.type or (EdgeType.FALL if steep else EdgeType.GROUND)
-    return Edge(named.left, named.right, edge_type, length, across / length, up / length, named.thickness)
+    run, rise = across / length, up / length
+    return Edge(named.left, named.right, edge_type, length, run, rise, named.thickness, named.friction)
 
 
 def polyline(vertices: Sequence[Vertex[Fraction]], circumference: Fraction | None = None) -> Graph[Fraction]:

@@ -1,66 +1,117 @@
-"""Guidelines (6.2.2): what the thesis asks of levels, each a predicate of a world."""
+"""Guidelines (6.2.2): what the thesis asks of levels, each as the demands that it makes of their places."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from spec.graph import EdgeType
-from spec.invariants import every
+from spec.demand import Demand, Element, Place, all_met
+from spec.graph import Edge, EdgeType, Graph
 from spec.number import Truth
 
 
 @dataclass(frozen=True)
+class Size:
+    """How wide and how high some bodies are."""
+
+    bodies: tuple[int, ...]
+    width: Any
+    height: Any
+
+    @property
+    def places(self) -> tuple[Place, ...]:
+        """The bodies as places."""
+        return tuple(Place(Element.BODY, body) for body in self.bodies)
+
+
+@dataclass(frozen=True)
 class Guideline:
-    """A guideline: its sentence, its source, and whether a world keeps it."""
+    """A guideline: its sentence, its source, and what it demands of a graph and of the sizes of bodies."""
 
     id: str
     sentence: str
     source: str
-    kept: Callable[[Any], Truth]
+    demands: Callable[[Graph[Any], Sequence[Size]], Iterator[Demand]]
 
     kind = "guideline"
 
+    def kept(self, world: Any) -> Truth:
+        """Whether a world keeps it."""
+        return all_met(self.demands(world.graph, sizes_of(world)))
 
-def edges_of(world: Any, edge_type: EdgeType) -> list[Any]:
-    """The static edges of a type."""
-    return [edge for edge in world.graph.edges if edge.type is edge_type]
+
+def sizes_of(world: Any) -> list[Size]:
+    """The size of each body."""
+    return [Size((body,), world.width(body), world.bodies[body].height) for body in world.handles()]
 
 
-def one_size(world: Any) -> Truth:
+def edges_of(graph: Graph[Any], edge_type: EdgeType) -> Iterator[tuple[Place, Edge[Any]]]:
+    """The static edges of a type, with their places."""
+    for index, edge in enumerate(graph.edges):
+        if edge.type is edge_type:
+            yield Place(Element.EDGE, index), edge
+
+
+def one_size(graph: Graph[Any], sizes: Sequence[Size]) -> Iterator[Demand]:
     """All bodies have the width and the height of the first."""
-    sizes = [(world.width(body), world.bodies[body].height) for body in world.handles()]
-    return every((width == sizes[0][0]) & (height == sizes[0][1]) for width, height in sizes)
+    for size in sizes:
+        first = sizes[0]
+        met = (size.width == first.width) & (size.height == first.height)
+        numbers = (size.width, size.height, first.width, first.height)
+        seen, mend = "is {0} wide and {1} high, not {2} and {3} as {others}", "make it {2} wide and {3} high"
+        for place in size.places:
+            yield Demand(place, met, seen, mend, numbers, first.places[:1])
 
 
-def falls_are_steps(world: Any) -> Truth:
+def falls_are_steps(graph: Graph[Any], sizes: Sequence[Size]) -> Iterator[Demand]:
     """Every fall edge is vertical, and as high as a body."""
-    heights = [body.height for body in world.bodies]
-    falls = edges_of(world, EdgeType.FALL)
-    return every(edge.run == 0 and edge.length == height for edge in falls for height in heights)
+    for place, edge in edges_of(graph, EdgeType.FALL):
+        slants = (edge.run * edge.length,)
+        yield Demand(place, edge.run == 0, "goes {0} to the right", "put one end straight above the other", slants)
+        for size in sizes:
+            met, numbers = edge.length == size.height, (edge.length, size.height)
+            yield Demand(
+                place, met, "is {0} long, not {1}, the height of {others}", "make it {1} high", numbers, size.places
+            )
 
 
-def falls_end_level(world: Any) -> Truth:
+def falls_end_level(graph: Graph[Any], sizes: Sequence[Size]) -> Iterator[Demand]:
     """Every ground edge at the lower end of a fall edge is level."""
-    graph = world.graph
-    feet = {edge.right if edge.rise < 0 else edge.left for edge in edges_of(world, EdgeType.FALL)}
-    grounds = [edge for edge in edges_of(world, EdgeType.GROUND) if edge.left in feet or edge.right in feet]
-    return every(edge.rise == 0 for edge in grounds) if graph.edges else True
+    feet = {edge.right if edge.rise < 0 else edge.left: place for place, edge in edges_of(graph, EdgeType.FALL)}
+    for place, edge in edges_of(graph, EdgeType.GROUND):
+        for foot in {edge.left, edge.right} & feet.keys():
+            rises = (edge.rise * edge.length,)
+            seen, mend = "rises by {0}, and {others} ends at it", "make it level"
+            yield Demand(place, edge.rise == 0, seen, mend, rises, (feet[foot],))
 
 
-def grounds_are_long(world: Any) -> Truth:
+def grounds_are_long(graph: Graph[Any], sizes: Sequence[Size]) -> Iterator[Demand]:
     """Every ground edge is at least as long as every body is wide."""
-    widths = [world.width(body) for body in world.handles()]
-    return every(edge.length >= width for edge in edges_of(world, EdgeType.GROUND) for width in widths)
+    for place, edge in edges_of(graph, EdgeType.GROUND):
+        for size in sizes:
+            met, numbers = edge.length >= size.width, (edge.length, size.width)
+            seen, mend = "is {0} long, less than {1}, the width of {others}", "make it at least {1} long"
+            yield Demand(place, met, seen, mend, numbers, size.places)
 
 
-def one_layer(world: Any) -> Truth:
+def one_layer(graph: Graph[Any], sizes: Sequence[Size]) -> Iterator[Demand]:
     """The edges join the vertices from left to right, once."""
-    edges = sorted(world.graph.edges, key=lambda edge: edge.left)
-    count = len(world.graph.vertices)
-    return all(edge.left == place and edge.right == (place + 1) % count for place, edge in enumerate(edges))
+    line = "lay all edges end to end, from the first vertex to the last"
+    first_from: dict[int, Place] = {}
+    for index, edge in enumerate(graph.edges):
+        place = Place(Element.EDGE, index)
+        following = (edge.left + 1) % len(graph.vertices)
+        seen = "joins vertex {0} to vertex {1}, not to the next, {2}"
+        yield Demand(place, edge.right == following, seen, line, (edge.left, edge.right, following))
+        known = first_from.setdefault(edge.left, place)
+        yield Demand(place, known is place, "begins where {others} begins", line, others=(known,))
+    for vertex in range(max(first_from, default=0)):
+        seen = "has no edge to the right, though others have that are after it"
+        yield Demand(Place(Element.VERTEX, vertex), vertex in first_from, seen, line)
 
+
+SINGLE_LAYER = Guideline("guideline/single-layer", "There is a single layer of static edges.", "6.2.2; G5", one_layer)
 
 GUIDELINES: tuple[Guideline, ...] = (
     Guideline("guideline/uniform-size", "All bodies have one size.", "6.2.2; G1", one_size),
@@ -69,7 +120,7 @@ GUIDELINES: tuple[Guideline, ...] = (
     ),
     Guideline("guideline/level-landings", "Fall edges end only in level ground edges.", "6.2.2; G3", falls_end_level),
     Guideline("guideline/long-grounds", "Ground edges are at least one body long.", "6.2.2; G4", grounds_are_long),
-    Guideline("guideline/single-layer", "There is a single layer of static edges.", "6.2.2; G5", one_layer),
+    SINGLE_LAYER,
 )
 
 

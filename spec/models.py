@@ -34,6 +34,13 @@ OF_GRAPHS: tuple[Model, ...] = (
     ),
     Model("model/tick", "Time goes in ticks of a fixed length, 20 ms by default.", "5.2, 2.2; R4", "pushing-boxes-5"),
     Model(
+        "model/velocity-first",
+        "In a tick each body that moves of its own, in its turn, finds its velocity, then its distance, which is the "
+        "new velocity times the tick, and then moves by that.",
+        "5.2; R10",
+        "physics-slope-printed",
+    ),
+    Model(
         "model/tops",
         "Each body has two top corners, straight above its borders by its height, and between them a dynamic edge that "
         "bodies stand on; the top of body N is dynamic edge N, its corners are dynamic vertices 2N and 2N + 1.",

@@ -4,23 +4,69 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from itertools import combinations
 
+from spec.features import FALLS, FEATURES, WIDE, Feature, Widths
 from spec.readings import LANDING, LANDING_OVERSHOOT, PUSH_LIMIT, TICK_ORDER
 from spec.rules.clearance import CLEARANCE
 from spec.rules.event import CONTACT as CONTACT_EVENT, LOSS, WALL
 from spec.rules.leave import FIT, LEAVE
 from spec.rules.push import CONTACT, PUSH
-from spec.rules.request import Rules, segment
+from spec.rules.request import Rules, depart, segment
 from spec.rules.row import FORWARD, MEET, PASS, WAY
 from spec.rules.settle import SETTLE
 from spec.rules.step import StepRules
+from spec.rules.velocity import (
+    AFTER,
+    AFTER_PRINTED,
+    BODY,
+    COEFFICIENT,
+    COEFFICIENT_PRINTED,
+    DRAG,
+    DRAG_PRINTED,
+    FASTEST,
+    FRICTION,
+    NORMAL,
+    NORMAL_PRINTED,
+    PULL,
+    SLOWEST,
+    SLOWEST_PRINTED,
+    VelocityRules,
+)
 from spec.rules.walk import FOLLOW, WALK
 from spec.rules.wish import WISH
+
+PRINTED = VelocityRules(
+    body=BODY,
+    pull=PULL,
+    normal=NORMAL_PRINTED,
+    coefficient=COEFFICIENT_PRINTED,
+    friction=FRICTION,
+    drag=DRAG_PRINTED,
+    fastest=FASTEST,
+    slowest=SLOWEST_PRINTED,
+    after=AFTER_PRINTED,
+)
+
+MENDED = VelocityRules(
+    body=BODY,
+    pull=PULL,
+    normal=NORMAL,
+    coefficient=COEFFICIENT,
+    friction=FRICTION,
+    drag=DRAG,
+    fastest=FASTEST,
+    slowest=SLOWEST,
+    after=AFTER,
+)
 
 
 @dataclass(frozen=True)
 class Profile:
-    """The rules of movement under one set of readings. A request moves one body, and what it pushes."""
+    """The rules of movement under one set of readings. A request moves one body, and what it pushes.
+
+    `without` are the features that it does not have, and `widths` those that bodies may have.
+    """
 
     name: str
     sentence: str
@@ -28,6 +74,9 @@ class Profile:
     rules: Rules
     push_limit: Callable[[int], int]
     tick_order: Callable[[Sequence[str]], Sequence[str]]
+    velocity: VelocityRules
+    without: tuple[Feature, ...] = ()
+    widths: Widths = WIDE
 
     kind = "profile"
 
@@ -35,6 +84,11 @@ class Profile:
     def id(self) -> str:
         """Its name as an ID."""
         return f"profile/{self.name}"
+
+    @property
+    def not_asked(self) -> frozenset[str]:
+        """The IDs of invariants and unsupported cases that mean nothing under it."""
+        return frozenset[str]().union(*(feature.not_asked for feature in self.without))
 
 
 THESIS = Profile(
@@ -52,9 +106,11 @@ THESIS = Profile(
         fit=FIT,
         landing=LANDING.choice,
         segment=segment,
+        depart=depart,
     ),
     push_limit=PUSH_LIMIT.choice,
     tick_order=TICK_ORDER.choice,
+    velocity=PRINTED,
 )
 
 OVERSHOOT = replace(
@@ -65,6 +121,40 @@ OVERSHOOT = replace(
     rules=replace(THESIS.rules, landing=LANDING_OVERSHOOT.choice),
 )
 
+MENDED_VELOCITY = replace(
+    THESIS,
+    name="thesis/mended-velocity",
+    sentence="The rules as printed, but for velocities, which are those of `repaired`: for slopes, of which storeys "
+    "have none.",
+    source="6.3.1, 6.3.2; P1, P2, P10",
+    velocity=MENDED,
+)
+
+
+def without(profile: Profile, *features: Feature) -> Profile:
+    """A profile that does without some features, in the order of `FEATURES` (8.0.1; E8)."""
+    rules, widths = profile.rules, profile.widths
+    for feature in features:
+        rules, widths = feature.off(rules), feature.widths or widths
+    return replace(
+        profile,
+        name="/".join([profile.name, *(f"no-{feature.name}" for feature in features)]),
+        sentence=f"The profile {profile.name} without {' and '.join(feature.name for feature in features)}.",
+        source="8.0.1; E8, E15, O13",
+        rules=rules,
+        widths=widths,
+        without=features,
+    )
+
+
+WITHOUT_ONE_OR_TWO: tuple[Profile, ...] = tuple(
+    without(THESIS, *features) for many in (1, 2) for features in combinations(FEATURES, many)
+)
+OVERSHOOT_WITHOUT: tuple[Profile, ...] = tuple(
+    without(OVERSHOOT, *one.without) for one in WITHOUT_ONE_OR_TWO if FALLS not in one.without
+)
+"""Without falls there is no landing."""
+
 
 @dataclass(frozen=True)
 class SteppedProfile:
@@ -74,6 +164,7 @@ class SteppedProfile:
     sentence: str
     source: str
     rules: StepRules
+    velocity: VelocityRules
 
     kind = "profile"
 
@@ -99,9 +190,11 @@ REPAIRED = SteppedProfile(
         loss=LOSS,
         settle=SETTLE,
     ),
+    velocity=MENDED,
 )
 
 AnyProfile = Profile | SteppedProfile
 
-OF_REQUESTS: dict[str, Profile] = {profile.name: profile for profile in (THESIS, OVERSHOOT)}
-PROFILES: dict[str, AnyProfile] = {**OF_REQUESTS, REPAIRED.name: REPAIRED}
+OF_REQUESTS: dict[str, Profile] = {profile.name: profile for profile in (THESIS, OVERSHOOT, MENDED_VELOCITY)}
+WITHOUT: dict[str, Profile] = {profile.name: profile for profile in (*WITHOUT_ONE_OR_TWO, *OVERSHOOT_WITHOUT)}
+PROFILES: dict[str, AnyProfile] = {**OF_REQUESTS, REPAIRED.name: REPAIRED, **WITHOUT}

@@ -285,7 +285,111 @@ OF_LEDGES: tuple[Reading[None], ...] = (
     ),
 )
 
+OF_VELOCITIES: tuple[Reading[None], ...] = (
+    reading(
+        "steepness",
+        "Steepness is how far it is down from one border of a body to the other, for each unit of its width along the "
+        "graph: on one edge the sine of its angle, across a vertex the mean of the slopes under the body, and the run "
+        "likewise.",
+        "6.3.2; A33, A31",
+        "for each unit of the distance through the air, which is irrational across a vertex; not for each unit of "
+        "anything",
+        "physics-slope",
+    ),
+    reading(
+        "sign-of-steepness",
+        "Steepness is positive where gravity accelerates to the right.",
+        "6.3.2; A34",
+        "positive uphill",
+        "physics-slope-printed",
+    ),
+    reading(
+        "velocity-along-the-ground",
+        "A velocity is along the ground, in the direction of the tangent.",
+        "T6.3; P4",
+        'along the normal, as table 6.3 has it ("start velocity along the edges normal")',
+        "physics-slope-printed",
+    ),
+    reading(
+        "static-bodies",
+        "Characters and bodies of which a level gives only the velocity are static; gravity, friction, drag and bounds "
+        "leave them alone, on slopes too.",
+        "6.3.1; R26, A40",
+        "gravity pulls them; bounds and drag change them",
+        "physics-block-printed",
+    ),
+    reading(
+        "minimum-velocity",
+        "The minimum is one of the magnitude, after gravity and friction; so a body at rest does not begin to move "
+        "where one tick gives it less.",
+        "6.3.1; A35",
+        "of the signed velocity; before gravity; not for a body that is speeding up (thesis/mended-velocity)",
+        "physics-drag-printed",
+    ),
+    reading(
+        "order-of-forces",
+        "Gravity comes first, then friction, drag, the maximum and the minimum.",
+        "6.3.1, F6.7; A36",
+        "drag first",
+        "physics-drag-printed",
+    ),
+    reading(
+        "drag",
+        "Drag is the factor by which the velocity is multiplied in each tick.",
+        "6.3.1, T2.2; A37",
+        "v (1 - drag dt); v / (1 + damping dt), as Box2D has it (thesis/mended-velocity)",
+        "physics-drag-printed",
+    ),
+    reading(
+        "gravity",
+        "Gravity is 9.81 unless a level says otherwise.",
+        "6.3.3; R28, P3",
+        "10, with which the prototype came nearer to Box2D",
+        "physics-slope-printed",
+    ),
+    reading(
+        "velocity-kept-at-a-block",
+        "A body that is stopped by a wall or a row goes on to push until friction has ended its velocity; one that is "
+        "pushed keeps its own.",
+        "6.2.1c, 6.3.4; A2, A38",
+        "what is stopped has the velocity with which it moved in the end (thesis/mended-velocity); what is pushed has "
+        "the pusher's",
+        "physics-block-printed",
+    ),
+    reading(
+        "body-at-its-turn",
+        "The slope under a body is that where it stands at its turn, also if it has been pushed there in this tick.",
+        "5.2; R10, A3",
+        "all velocities are found before anybody moves",
+        "physics-block-printed",
+    ),
+)
+
 OF_STOREYS: tuple[Reading[None], ...] = (
+    reading(
+        "repaired/sliding-drive",
+        "For the length of a tick, the drive of a body that moves of its own is its velocity, relative to what it "
+        "stands on; all ground and all tops are level.",
+        "6.3.1, 4.4; R26, A52",
+        "in the plane, so that what carries it slips away below it",
+        "repaired-slide",
+    ),
+    reading(
+        "repaired/velocity-at-a-block",
+        "A dynamic body that does not move with its velocity in the end of a tick has from then on the one with which "
+        "it does, relative to what it stands on; what is pushed gets none.",
+        "6.2.1c, 6.3.4; A2, A38, O8",
+        "it keeps its velocity; what is pushed takes over the pusher's",
+        "repaired-slide",
+    ),
+    reading(
+        "repaired/friction-of-tops",
+        "Only edges have a coefficient of friction of their own; under a body across a vertex it is the mean of those "
+        "under its borders that have one. On the top of a body that of the rider counts alone.",
+        "6.3.4; O9, P7",
+        "the mean with that of the body below",
+        "repaired-slide",
+    ),
     reading(
         "repaired/in-the-plane",
         "A character that walks keeps its own velocity in the plane, whatever it stands on; what is not driven is "
@@ -389,5 +493,6 @@ READINGS: tuple[Reading[object], ...] = (
     LANDING_OVERSHOOT,
     *OF_STRINGS,
     *OF_LEDGES,
+    *OF_VELOCITIES,
     *OF_STOREYS,
 )

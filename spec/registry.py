@@ -2,21 +2,32 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+from itertools import chain
 from typing import Protocol
 
+from spec.alternatives import ALTERNATIVES
 from spec.conditions import CONDITIONS
+from spec.designs import DESIGNS
 from spec.differences import DIFFERENCES
+from spec.discrete import DISCRETE, DISCRETE_INVARIANTS, DISCRETE_RULES
+from spec.display import DISPLAY_RULES, OF_DISPLAY
+from spec.errata import ERRATA
+from spec.evaluated import EVALUATED
+from spec.features import FEATURES, PLANE_ORDER
 from spec.guidelines import GUIDELINES
 from spec.invariants import OF_ONE_REQUEST, RELATIONS
+from spec.mends import MENDS
 from spec.models import MODELS, OF_GRAPHS, OF_STOREYS as MODELS_OF_STOREYS
 from spec.plane import IN_PLANE
 from spec.profiles import PROFILES, AnyProfile
 from spec.readings import OF_STOREYS, READINGS
-from spec.rule import AnyRule, Family
+from spec.rule import AnyRule, Chooser, Family
 from spec.rules.request import FAMILIES, Rules
 from spec.rules.step import STEP_FAMILIES
+from spec.rules.velocity import VELOCITY_FAMILIES
 from spec.stepped import OF_ONE_STEP, STEP_RELATIONS
-from spec.unsupported import CASES, RECORDED
+from spec.unsupported import CASES, OF_CHANGES, OF_LEVELS
 
 
 class Statement(Protocol):
@@ -40,9 +51,18 @@ class Statement(Protocol):
 
 
 def rules_of(profile: AnyProfile) -> list[AnyRule]:
-    """The rules of a profile, chapter by chapter."""
+    """The rules of movement of a profile, chapter by chapter."""
     names = FAMILIES if isinstance(profile.rules, Rules) else STEP_FAMILIES
-    families = (getattr(profile.rules, name) for name in names)
+    return rules_in(getattr(profile.rules, name) for name in names)
+
+
+def velocity_rules_of(profile: AnyProfile) -> list[AnyRule]:
+    """The rules of velocity of a profile."""
+    return rules_in(getattr(profile.velocity, name) for name in VELOCITY_FAMILIES)
+
+
+def rules_in(families: Iterable[Chooser]) -> list[AnyRule]:
+    """The rules of some families."""
     return [rule for family in families if isinstance(family, Family) for rule in family.rules]
 
 
@@ -50,8 +70,8 @@ def text_of(profile: AnyProfile) -> list[Statement]:
     """All that one must know to implement a profile, in the order in which to read it: models, rules, readings."""
     if isinstance(profile.rules, Rules):
         readings = [one for one in READINGS if one not in OF_STOREYS]
-        return [*OF_GRAPHS, *rules_of(profile), *readings]
-    return [*MODELS_OF_STOREYS, *rules_of(profile), *OF_STOREYS]
+        return [*OF_GRAPHS, *rules_of(profile), *velocity_rules_of(profile), *readings]
+    return [*MODELS_OF_STOREYS, *rules_of(profile), *velocity_rules_of(profile), *OF_STOREYS]
 
 
 def statements() -> dict[str, Statement]:
@@ -60,12 +80,39 @@ def statements() -> dict[str, Statement]:
     Raises:
         ValueError: if two statements have the same ID.
     """
-    rules = {rule.id: rule for profile in PROFILES.values() for rule in rules_of(profile)}.values()
-    everything: list[Statement] = [*PROFILES.values(), *rules, *MODELS, *OF_ONE_REQUEST, *RELATIONS, *IN_PLANE]
-    everything += [*OF_ONE_STEP, *STEP_RELATIONS, *CONDITIONS, *GUIDELINES, *READINGS, *CASES, *RECORDED]
-    everything += DIFFERENCES
+    of_profiles = [rule for one in PROFILES.values() for rule in (*rules_of(one), *velocity_rules_of(one))]
+    rules = {rule.id: rule for rule in of_profiles}.values()
+    chapters: tuple[Iterable[Statement], ...] = (
+        PROFILES.values(),
+        rules,
+        MODELS,
+        OF_ONE_REQUEST,
+        RELATIONS,
+        IN_PLANE,
+        OF_ONE_STEP,
+        STEP_RELATIONS,
+        CONDITIONS,
+        GUIDELINES,
+        READINGS,
+        CASES,
+        OF_LEVELS,
+        OF_CHANGES,
+        DISPLAY_RULES,
+        OF_DISPLAY,
+        DESIGNS,
+        (DISCRETE,),
+        DISCRETE_RULES,
+        DISCRETE_INVARIANTS,
+        DIFFERENCES,
+        ERRATA,
+        MENDS,
+        ALTERNATIVES,
+        FEATURES,
+        (PLANE_ORDER,),
+        EVALUATED,
+    )
     table: dict[str, Statement] = {}
-    for statement in everything:
+    for statement in chain.from_iterable(chapters):
         if table.setdefault(statement.id, statement) is not statement:
             raise ValueError(f"two statements have the ID {statement.id}")
     return table

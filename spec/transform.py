@@ -10,6 +10,7 @@ from typing import Any
 from spec.body import Body, EdgePosition, Level
 from spec.graph import Graph, Vertex, polyline
 from spec.number import N, zero_like
+from spec.rules.velocity import Material, Motion
 
 
 def with_borders(body: Body[N], change: Callable[[EdgePosition[N]], EdgePosition[N]]) -> Body[N]:
@@ -36,13 +37,19 @@ def mirror(level: Level[N]) -> Level[N]:
         return EdgePosition(last - at.edge, graph.edges[at.edge].length - at.location)
 
     def turned(body: Body[N]) -> Body[N]:
-        return replace(body, left=seen_from_behind(body.right), right=seen_from_behind(body.left))
+        motion = None if body.motion is None else turned_round(body.motion)
+        return replace(body, left=seen_from_behind(body.right), right=seen_from_behind(body.left), motion=motion)
 
     return replace(
         level,
         graph=Graph(vertices, edges, graph.circumference),
         bodies=tuple(turned(body) for body in level.bodies),
     )
+
+
+def turned_round(motion: Motion[N]) -> Motion[N]:
+    """The motion with left for right."""
+    return replace(motion, velocity=motion.velocity * -1, force=motion.force * -1)
 
 
 def shifted(vertex: Vertex[N], by: Vertex[N]) -> Vertex[N]:
@@ -79,7 +86,24 @@ def split(level: Level[N], edge: int, at: N, vertex: Vertex[N]) -> Level[N]:
 def body_with_numbers(body: Body[Any], number: Callable[[Any], Any]) -> Body[Any]:
     """The body in other numbers."""
     moved = with_borders(body, lambda at: replace(at, location=number(at.location)))
-    return replace(moved, speed=number(body.speed), height=number(body.height))
+    motion = None if body.motion is None else motion_with_numbers(body.motion, number)
+    return replace(moved, speed=number(body.speed), height=number(body.height), motion=motion)
+
+
+def motion_with_numbers(motion: Motion[Any], number: Callable[[Any], Any]) -> Motion[Any]:
+    """The motion in other numbers."""
+    own = motion.material
+    material = None
+    if own is not None:
+        material = Material(
+            friction=number(own.friction),
+            drag=number(own.drag),
+            damping=number(own.damping),
+            slowest=number(own.slowest),
+            fastest=None if own.fastest is None else number(own.fastest),
+            mass=number(own.mass),
+        )
+    return Motion(number(motion.velocity), material, number(motion.gravity), number(motion.force))
 
 
 def with_numbers(level: Level[Any], number: Callable[[Any], Any], slope: Callable[[Any], Any]) -> Level[Any]:
@@ -93,7 +117,14 @@ def with_numbers(level: Level[Any], number: Callable[[Any], Any], slope: Callabl
 
     graph = level.graph
     edges = [
-        replace(e, length=number(e.length), run=slope(e.run), rise=slope(e.rise), thickness=maybe(e.thickness))
+        replace(
+            e,
+            length=number(e.length),
+            run=slope(e.run),
+            rise=slope(e.rise),
+            thickness=maybe(e.thickness),
+            friction=maybe(e.friction),
+        )
         for e in graph.edges
     ]
     vertices = [Vertex(number(v.x), number(v.y)) for v in graph.vertices]

@@ -1,75 +1,35 @@
-"""Unsupported cases (6.2.2, 7.2): each a predicate that says whether a request has run into it.
+"""Unsupported cases: what the thesis says its rules do not support (6.1.3, 6.2.1, 6.2.2, 7.2), as predicates.
 
-`before` and `after` are worlds whose start was in order, in the graph and in the plane; `fired` are the rules that
-fired for the mover.
+`CASES` are those that a request runs into, with those that were found by search (`spec/complications.py`); a level is
+of the kinds in `OF_LEVELS`, and from one state to the next a level changes as in `OF_CHANGES`.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from itertools import combinations
 from typing import Any
 
+from spec.case import (
+    Case,
+    Fired,
+    in_overhang,
+    landed,
+    mover_in_body,
+    mover_in_terrain,
+    nearer,
+    on_body,
+    overlap,
+    some,
+    terrain_off,
+)
+from spec.complications import FOUND
+from spec.graph import EdgeType, Graph
+from spec.guidelines import SINGLE_LAYER
 from spec.invariants import Deed
 from spec.number import Truth
-from spec.plane import Box, box, boxes, heights, images, negated, terrain
-
-
-@dataclass(frozen=True)
-class Case:
-    """An unsupported case: its sentence, its source, and whether a request has run into it."""
-
-    id: str
-    sentence: str
-    source: str
-    happened: Callable[[Deed[Any], frozenset[str]], Truth]
-
-    kind = "unsupported"
-
-
-def some(truths: list[Truth]) -> Truth:
-    """Whether one of them holds, without deciding one after another."""
-    result: Any = False
-    for truth in truths:
-        result = result | truth
-    return result  # type: ignore[no-any-return]
-
-
-def mover_in_terrain(deed: Deed[Any]) -> Truth:
-    """Whether the mover's box reaches into terrain."""
-    world: Any = deed.after
-    mine = box(world, deed.body)
-    if mine is None:
-        return False
-    solids = [image for solid in terrain(world) for image in images(world, solid)]
-    return some([overlap(mine, solid) for solid in solids])
-
-
-def mover_in_body(deed: Deed[Any]) -> Truth:
-    """Whether the mover's box overlaps that of another body."""
-    world: Any = deed.after
-    mine = box(world, deed.body)
-    if mine is None:
-        return False
-    others = [other for body, other in boxes(world).items() if body != deed.body]
-    return some([overlap(mine, image) for other in others for image in images(world, other)])
-
-
-def overlap(one: Box[Any], other: Box[Any]) -> Truth:
-    """Whether two boxes overlap."""
-    return negated(one.clear_of(other, one.left * 0))
-
-
-def on_body(deed: Deed[Any]) -> bool:
-    """Whether the mover stood on a body."""
-    before: Any = deed.before
-    return before.support(deed.body) is not None
-
-
-def in_overhang(deed: Deed[Any]) -> Truth:
-    """Whether the mover's front border ends in overhang."""
-    view = deed.after.facing(deed.direction)  # type: ignore[attr-defined]
-    return view.reach(view.front(deed.body)) < deed.asked * 0  # type: ignore[no-any-return]
+from spec.plane import box, images, negated
 
 
 def facing_ledges(deed: Deed[Any]) -> list[tuple[Any, Any]]:
@@ -87,32 +47,32 @@ def signed_across(world: Any, start: Any, end: Any) -> Any:
     return world.short_way(world.point(end)[0] - world.point(start)[0])
 
 
-def short_pit(deed: Deed[Any], fired: frozenset[str]) -> Truth:
+def short_pit(deed: Deed[Any], fired: Fired) -> Truth:
     """It fell although a ledge at the same height was less than its width away."""
     width, zero = deed.before.width(deed.body), deed.asked * 0
     near = [(across >= zero) & (across < width) & (drop == zero) for across, drop in facing_ledges(deed)]
     return some(near) if "leave/fall" in fired else False
 
 
-def overhang_into_wall(deed: Deed[Any], fired: frozenset[str]) -> Truth:
+def overhang_into_wall(deed: Deed[Any], fired: Fired) -> Truth:
     """On the ground, its overhang reaches into terrain."""
-    stays = "leave/stay" in fired and not on_body(deed)
+    stays = not landed(fired) and not on_body(deed)
     return in_overhang(deed) & mover_in_terrain(deed) if stays else False
 
 
-def overhang_from_body(deed: Deed[Any], fired: frozenset[str]) -> Truth:
+def overhang_from_body(deed: Deed[Any], fired: Fired) -> Truth:
     """On a body, its overhang reaches into terrain."""
-    stays = "leave/stay" in fired and on_body(deed)
+    stays = not landed(fired) and on_body(deed)
     return in_overhang(deed) & mover_in_terrain(deed) if stays else False
 
 
-def tunnel(deed: Deed[Any], fired: frozenset[str]) -> Truth:
+def tunnel(deed: Deed[Any], fired: Fired) -> Truth:
     """On the ground and not in overhang, it reaches into terrain."""
-    stays = "leave/stay" in fired and not on_body(deed)
+    stays = not landed(fired) and not on_body(deed)
     return negated(in_overhang(deed)) & mover_in_terrain(deed) if stays else False
 
 
-def falls_onto_body(deed: Deed[Any], fired: frozenset[str]) -> Truth:
+def falls_onto_body(deed: Deed[Any], fired: Fired) -> Truth:
     """It fell into another body."""
     return mover_in_body(deed) if "leave/fall" in fired else False
 
@@ -130,39 +90,38 @@ def ledge_under(deed: Deed[Any]) -> Truth:
     )
 
 
-def sharp_ledge(deed: Deed[Any], fired: frozenset[str]) -> Truth:
+def sharp_ledge(deed: Deed[Any], fired: Fired) -> Truth:
     """It is blocked at the corner of a top, in the middle of which a ledge begins that it could step onto."""
     return ledge_under(deed) if "leave/nowhere" in fired else False
 
 
-def falls_off_body(deed: Deed[Any], fired: frozenset[str]) -> Truth:
+def falls_off_body(deed: Deed[Any], fired: Fired) -> Truth:
     """It is blocked at the corner of a top with nothing to step onto."""
     return negated(ledge_under(deed)) if "leave/nowhere" in fired else False
 
 
-def does_not_fit(deed: Deed[Any], fired: frozenset[str]) -> Truth:
+def does_not_fit(deed: Deed[Any], fired: Fired) -> Truth:
     """Its landing did not fit before a wall."""
     return "fit/wall" in fired
 
 
-def jumps_onto_a_ridden_top(deed: Deed[Any], fired: frozenset[str]) -> Truth:
-    """It jumped onto a top on which another body stands, and into that body."""
+def other_strings(deed: Deed[Any], fired: Fired) -> Truth:
+    """Two bodies on different strings are nearer than the margin, or one reaches into terrain off its string."""
     world: Any = deed.after
-    ridden = len(world.row(deed.body).order) > 1
-    return mover_in_body(deed) if "leave/jump" in fired and ridden else False
+    pairs = [pair for pair in combinations(world.handles(), 2) if world.row(pair[0]) is not world.row(pair[1])]
+    near = [nearer(world, [one], [other], world.margin) for one, other in pairs]
+    return some([*near, *(in_terrain_off(world, body) for body in world.handles())])
 
 
-def jumps_into_what_leads_up(deed: Deed[Any], fired: frozenset[str]) -> Truth:
-    """It jumped into a body whose top is above the ledge."""
-    before, after = deed.before, deed.after
-    mine, level = box(after, deed.body), heights(before, deed.body)[0]
-    if "leave/jump" not in fired or mine is None:
+def in_terrain_off(world: Any, body: int) -> Truth:
+    """Whether a body reaches into terrain that is not under its own string."""
+    mine = box(world, body)
+    if mine is None:
         return False
-    others = [box(after, body) for body in after.handles() if body != deed.body]  # type: ignore[attr-defined]
-    return some([overlap(mine, other) & (other.top > level) for other in others if other is not None])
+    return some(overlap(mine, image) for solid in terrain_off(world, body) for image in images(world, solid))
 
 
-CASES: tuple[Case, ...] = (
+PRINTED: tuple[Case, ...] = (
     Case("unsupported/short-pit", "A pit narrower than the body swallows it.", "6.6a; U1", short_pit),
     Case(
         "unsupported/short-pit-heights",
@@ -191,30 +150,81 @@ CASES: tuple[Case, ...] = (
     ),
     Case("unsupported/fall-off-body", "A body cannot fall off another body.", "7.2; U7, A26", falls_off_body),
     Case("unsupported/landing-does-not-fit", "A landing does not fit before a wall.", "6.2.1d; U11, A16", does_not_fit),
+    Case(
+        "unsupported/other-strings",
+        "A body comes to nearer than the margin to one on another string, or into terrain off its string.",
+        "6.2.2; U9",
+        other_strings,
+    ),
 )
+
+CASES: tuple[Case, ...] = (*PRINTED, *FOUND)
+
+GENERAL = "unsupported/other-strings"
+"""The case that says only what a body has run into, of which other cases say how."""
 
 
 @dataclass(frozen=True)
-class Recorded:
-    """An unsupported case that no request runs into by itself; `sentence` says what becomes of it here."""
+class LevelCase:
+    """An unsupported kind of level; `found` says whether a world is one."""
 
     id: str
     sentence: str
     source: str
+    found: Callable[[Any], Truth]
 
     kind = "unsupported"
 
 
-RECORDED: tuple[Recorded, ...] = (
-    Recorded(
+def not_by_the_creator(world: Any) -> Truth:
+    """The creator from a list of vertices does not make this graph: by steepness, and solid all the way down (R30)."""
+    as_made = [edge.thickness is None and is_ground(edge) == by_steepness(edge) for edge in world.graph.edges]
+    return negated(SINGLE_LAYER.kept(world)) if all(as_made) else True
+
+
+def is_ground(edge: Any) -> bool:
+    """Whether bodies walk on an edge."""
+    return bool(edge.type is EdgeType.GROUND)
+
+
+def by_steepness(edge: Any) -> bool:
+    """Whether an edge is ground by its steepness: at most 60 degrees (A42)."""
+    return bool(edge.rise * edge.rise <= 3 * edge.run * edge.run)
+
+
+OF_LEVELS: tuple[LevelCase, ...] = (
+    LevelCase(
         "unsupported/platforms",
-        "The creator from a list of vertices makes no floating platforms; levels that name their edges have them.",
+        "The creator from a list of vertices makes no floating platforms and no layers; levels that name their edges "
+        "have them.",
         "6.1.3; U8, R30",
+        not_by_the_creator,
     ),
-    Recorded(
-        "unsupported/other-strings",
-        "A body does not see what is not on its own string of edges: see the claims about the plane.",
-        "6.2.2; U9",
+)
+
+
+@dataclass(frozen=True)
+class ChangeCase:
+    """An unsupported change of a level; `found` says whether two graphs, of one state and the next, differ by it."""
+
+    id: str
+    sentence: str
+    source: str
+    found: Callable[[Graph[Any], Graph[Any]], Truth]
+
+    kind = "unsupported"
+
+
+def terrain_moved(before: Graph[Any], after: Graph[Any]) -> Truth:
+    """A vertex is elsewhere, or an edge is another, than before."""
+    return (before.vertices, before.edges, before.circumference) != (after.vertices, after.edges, after.circumference)
+
+
+OF_CHANGES: tuple[ChangeCase, ...] = (
+    ChangeCase(
+        "unsupported/moving-terrain",
+        "Static geometry moves: no state of a level says so, and a trace that does is refused.",
+        "4.4; U10",
+        terrain_moved,
     ),
-    Recorded("unsupported/moving-terrain", "Static geometry does not move.", "4.4; U10"),
 )

@@ -63,7 +63,7 @@ def test_the_kinds_of_files_are_listed_and_another_kind_is_refused():
     assert [line.split()[0] for line in listed] == list(KINDS)
     done = graphbody("schema", "levle")
     assert (done.exit_code, done.stdout) == (2, "")
-    assert done.stderr == "graphbody: expected one of level, scenario, trace, validation, results, got 'levle'\n"
+    assert done.stderr == "graphbody: expected one of level, scenario, trace, validation, lint, results, got 'levle'\n"
 
 
 def test_a_schema_is_printed_without_the_solver():

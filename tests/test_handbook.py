@@ -10,10 +10,11 @@ from properties.explain import everything, firings, witness_of
 from properties.handbook import NoEvidence, page_of, picture_of, slug, write_handbook
 from reference.draw import strip
 from reference.recording import recording
-from spec.rule import Rule
+from spec.profiles import PROFILES
+from spec.registry import rules_of
 
 REFERENCE = Path(__file__).parents[1] / "docs" / "reference"
-RULES = [one for one in everything().values() if isinstance(one, Rule)]
+RULES = list({rule.id: rule for profile in PROFILES.values() for rule in rules_of(profile)}.values())
 REFUTED = [one for one in everything().values() if isinstance(one, Claim) and one.expected is Verdict.REFUTED]
 
 

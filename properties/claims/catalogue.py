@@ -2,7 +2,29 @@
 
 from __future__ import annotations
 
-from properties.claims import comparison, ledges, repaired, string
+from properties.claims import (
+    comparison,
+    designs,
+    display,
+    enough,
+    features,
+    landings,
+    ledges,
+    repaired,
+    string,
+    velocity,
+)
 from properties.claims.claim import Claim
 
-CLAIMS: tuple[Claim, ...] = (*string.CLAIMS, *ledges.CLAIMS, *repaired.CLAIMS, *comparison.CLAIMS)
+CLAIMS: tuple[Claim, ...] = (
+    *string.CLAIMS,
+    *ledges.CLAIMS,
+    *repaired.CLAIMS,
+    *comparison.CLAIMS,
+    *velocity.CLAIMS,
+    *display.CLAIMS,
+    *designs.CLAIMS,
+    *features.CLAIMS,
+    *enough.CLAIMS,
+    *landings.CLAIMS,
+)

@@ -9,6 +9,7 @@ from typing import Any
 
 from properties.contracts.errata import Stage
 from properties.given import Given
+from spec.conditions import Condition
 from spec.invariants import Deed
 from spec.number import Truth
 from spec.profiles import AnyProfile
@@ -45,10 +46,14 @@ class Obligation:
 
 @dataclass(frozen=True)
 class Count:
-    """An exact count over many worlds: a function that returns the number of cases, or raises AssertionError."""
+    """An exact count over many worlds: a function that returns the number of cases, or raises AssertionError.
+
+    `bodies` is up to how many bodies it goes through all worlds that there are, if it does.
+    """
 
     id: str
     program: Callable[[Any], int]
+    bodies: int | None = None
 
 
 @dataclass(frozen=True)
@@ -59,6 +64,9 @@ class Hunt:
         promise: of a deed and the rules that fired for its mover.
         guided: whether the scenes keep the guidelines G1 to G5.
         least_bodies, most_bodies, most_edges: the sizes of the scenes.
+        premises: the conditions that hold at the start besides.
+        riders: whether there are scenes in which a body stands on another.
+        points: whether the bodies have no width; then nobody stands on another.
     """
 
     id: str
@@ -67,6 +75,9 @@ class Hunt:
     most_bodies: int
     most_edges: int
     least_bodies: int = 1
+    premises: tuple[Condition, ...] = ()
+    riders: bool = True
+    points: bool = False
 
 
 Erratum = Callable[[Any, Given, Stage], None]

@@ -10,6 +10,8 @@ from properties.claims.string import of_rules
 from properties.contracts import leaving, request
 from properties.contracts.contract import LEAVING as LEAVING_CONTRACT, SEGMENT, Contract
 from properties.given import Given
+from spec.case import Case
+from spec.complications import jumps_into_what_leads_up, jumps_onto_a_ridden_top
 from spec.conditions import GUIDELINES, PLANE_START
 from spec.invariants import Deed, Invariant
 from spec.number import Truth
@@ -27,7 +29,7 @@ from spec.plane import (
 from spec.profiles import OVERSHOOT, THESIS, Profile
 from spec.readings import LANDING, LANDING_OVERSHOOT
 from spec.rules.request import Rules
-from spec.unsupported import CASES, Case, jumps_into_what_leads_up, jumps_onto_a_ridden_top
+from spec.unsupported import PRINTED
 
 Promise = Callable[[Deed[Any], frozenset[str]], Truth]
 PROFILES = (THESIS, OVERSHOOT)
@@ -261,4 +263,4 @@ DEFECTS: tuple[Claim, ...] = (
     ),
 )
 
-CLAIMS: tuple[Claim, ...] = (*LEAVING, *DEFECTS, *ONE_OR_TWO, *(of_case(case) for case in CASES))
+CLAIMS: tuple[Claim, ...] = (*LEAVING, *DEFECTS, *ONE_OR_TWO, *(of_case(case) for case in PRINTED))

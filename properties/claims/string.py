@@ -61,7 +61,7 @@ def of_rules(program: Callable[[Any, Given], None], *needs: str, contracts: tupl
     return Obligation(name_of(program), of_profile, needs, contracts=tuple(one.id for one in contracts))
 
 
-def name_of(program: Callable[..., None]) -> str:
+def name_of(program: Callable[..., object]) -> str:
     """The ID of an obligation: the chapter, then what it shows."""
     return f"{program.__module__.rpartition('.')[2]}/{program.__name__.replace('_', '-')}"
 

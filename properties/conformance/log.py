@@ -2,19 +2,24 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from fractions import Fraction
 
 from reference.formats.level import numbers_of
 from reference.formats.numbers import exact, readable
 from reference.formats.trace import HeaderRecord, LineRecord
+from reference.physics import with_motions
 from reference.recording import Recording
 from reference.rounding import Precision, largest, tolerance
+from reference.simulator import Fulfilled, Game
 from reference.world import LevelError, World
-from spec.body import Level
+from spec.body import Body, Level
 from spec.graph import Direction
 from spec.profiles import Profile
+from spec.rules.velocity import Motion
 
+ZERO = Fraction(0)
 ON_GRID = {"exact": 2**53, "float64": 2**53, "float32": 2**24}
 
 Request = tuple[int, Direction, Fraction]
@@ -32,17 +37,74 @@ class Step:
     after: World[Fraction]
 
 
-def requests_of(level: Level[Fraction], profile: Profile, line: LineRecord) -> tuple[Request, ...]:
-    """The requests of a line, in the order in which they are made."""
-    handles = {body.name: handle for handle, body in enumerate(level.bodies)}
+def requests_of(
+    before: World[Fraction], profile: Profile, line: LineRecord, nearly: Fraction = ZERO
+) -> tuple[Request, ...]:
+    """The requests of a line, in the order in which they are made.
+
+    Those of bodies with a velocity of their own are the ones that the rules make of the velocities before it.
+    """
+    handles = {body.name: handle for handle, body in enumerate(before.bodies)}
     if line.request is not None:
         distance = exact(line.request.distance, "$.request.distance")
-        direction = Direction.LEFT if distance < 0 else Direction.RIGHT
-        return ((handles[line.request.body], direction, abs(distance)),)
+        return ((handles[line.request.body], way(distance), abs(distance)),)
     assert line.tick is not None
-    direction = Direction[line.tick.key.upper()]
-    bodies = [level.bodies[handles[name]] for name in profile.tick_order(list(handles))]
-    return tuple((handles[body.name], direction, body.speed * level.tick) for body in bodies if body.speed)
+    direction = line.tick.direction
+    if any(body.motion is not None for body in before.bodies):
+        turns, _ = rolled(before, profile, line, nearly)
+        return tuple((handles[one.body], way(one.asked), abs(one.asked)) for one in turns)
+    if direction is None:
+        return ()
+    bodies = [before.bodies[handles[name]] for name in profile.tick_order(list(handles))]
+    return tuple((handles[body.name], direction, body.speed * before.level.tick) for body in bodies if body.speed)
+
+
+def way(distance: Fraction) -> Direction:
+    """The direction of a signed distance."""
+    return Direction.LEFT if distance < 0 else Direction.RIGHT
+
+
+Turns = tuple[list[Fulfilled[Fraction]], World[Fraction]]
+"""The turns of all bodies in a tick, and the world after them."""
+
+
+def rolled(before: World[Fraction], profile: Profile, line: LineRecord, nearly: Fraction) -> Turns:
+    """What the rules make of a tick in exact numbers.
+
+    A velocity that is known nearly may be less than the minimum or not; then it is what the line says it is.
+    """
+    assert line.tick is not None
+
+    def turns(by: Fraction) -> Turns:
+        assert line.tick is not None
+        game = Game(profile, with_motions(before.level, minima_moved(before.bodies, by)))
+        return game.tick(line.tick.direction), game.world
+
+    found = turns(ZERO)
+    if as_told(found[1], line, nearly):
+        return found
+    return next(
+        (other for other in map(turns, (nearly, -nearly) if nearly else ()) if as_told(other[1], line, nearly)), found
+    )
+
+
+def minima_moved(bodies: Sequence[Body[Fraction]], by: Fraction) -> dict[int, Motion[Fraction]]:
+    """The motions of bodies, with other minima."""
+    return {
+        handle: replace(body.motion, material=replace(body.motion.material, slowest=body.motion.material.slowest + by))
+        for handle, body in enumerate(bodies)
+        if body.motion is not None and body.motion.material is not None
+    }
+
+
+def as_told(world: World[Fraction], line: LineRecord, nearly: Fraction) -> bool:
+    """Whether bodies have the velocities that a line says they have."""
+    told = {place.name: place.velocity for place in line.bodies}
+    return all(
+        abs(body.motion.velocity - exact(told[body.name] or 0, "$")) <= nearly
+        for body in world.bodies
+        if body.motion is not None
+    )
 
 
 def tolerance_of(header: HeaderRecord, level: Level[Fraction], asked: tuple[Request, ...]) -> Fraction:

@@ -71,7 +71,7 @@ class Reduction:
             return False
         try:
             held = standing(level_of(level))
-            expected = expect(self.profile, held, requests_of(held.level, self.profile, line))
+            expected = expect(self.profile, held, requests_of(held, self.profile, line))
         except (LevelError, Endless):
             return False
         if self.happened(expected) != self.happened(self.expected):

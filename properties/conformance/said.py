@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from fractions import Fraction
 
 import msgspec
@@ -12,9 +12,12 @@ from properties.conformance.log import Grid, Request, Step
 from reference.formats.numbers import exact, readable
 from reference.formats.trace import LineRecord, MoveRecord
 from reference.recording import events_of, supports_of
+from reference.simulator import Fulfilled
 from reference.world import World
-from spec.body import EdgePosition
+from spec.body import Body, EdgePosition
 from spec.profiles import Profile
+
+OF_VELOCITY = "velocity/"
 
 
 def of_the_state(line: LineRecord, seen: World[Fraction], tolerance: Fraction) -> Iterator[Difference]:
@@ -63,6 +66,28 @@ def at_a_border(seen: World[Fraction], button: EdgePosition[Fraction], tolerance
     return tolerance > 0 and any(abs(along - border) <= tolerance for border in borders)
 
 
+def of_the_velocities(
+    seen: World[Fraction], expected: Iterable[Body[Fraction]], tolerance: Fraction
+) -> Iterator[Difference]:
+    """The velocities that a line says bodies have, and they have others; the tolerance is that of distances."""
+    nearly = tolerance / seen.level.tick
+    for held, right in zip(seen.bodies, expected, strict=True):
+        if held.motion is not None and right.motion is not None:
+            apart = abs(held.motion.velocity - right.motion.velocity)
+            if apart > nearly:
+                texts = readable(right.motion.velocity), readable(held.motion.velocity)
+                yield Difference(held.name, "velocity", *texts, apart)
+
+
+def of_the_rolls(line: LineRecord, turns: list[Fulfilled[Fraction]]) -> Iterator[Difference]:
+    """The rules of velocity that a line says fired, and others did."""
+    for move, turn in zip(line.moves or (), turns, strict=False):
+        right = [rule for _, rule in turn.fired if rule.startswith(OF_VELOCITY)]
+        told = [rule for _, rule in move.fired or () if rule.startswith(OF_VELOCITY)]
+        if move.fired is not None and told != right:
+            yield Difference(move.body, "fired", " ".join(right) or "none", " ".join(told) or "none")
+
+
 def of_the_moves(
     line: LineRecord, asked: tuple[Request, ...], expected: Expected, tolerance: Fraction, rules_known: bool
 ) -> Iterator[Difference]:
@@ -95,9 +120,10 @@ def of_a_move(
 def of_the_rules(index: int, move: MoveRecord, expected: Expected) -> Iterator[Difference]:
     """The first rule that a line says fired in one of its requests, and did not, or did not yet."""
     fired = fired_in(expected, index)
-    if move.fired is not None and move.fired != fired:
-        first = next((i for i, pair in enumerate(fired) if move.fired[i : i + 1] != [pair]), len(fired))
-        right_pair, told = (" ".join(pairs[first]) if first < len(pairs) else "none" for pairs in (fired, move.fired))
+    seen = [pair for pair in move.fired or () if not pair[1].startswith(OF_VELOCITY)]
+    if move.fired is not None and seen != fired:
+        first = next((i for i, pair in enumerate(fired) if seen[i : i + 1] != [pair]), len(fired))
+        right_pair, told = (" ".join(pairs[first]) if first < len(pairs) else "none" for pairs in (fired, seen))
         yield Difference(move.body, f"fired[{first}]", right_pair, told)
 
 

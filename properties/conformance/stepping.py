@@ -13,24 +13,26 @@ from typing import Any
 
 from properties.conformance.diagnosis import Trouble
 from properties.conformance.judge import Difference, Expected, Finding, Judgement, position_text
-from properties.conformance.log import Request, Step
+from properties.conformance.log import ZERO, Request, Step, minima_moved
 from properties.conformance.minimise import with_bodies, without_needless
-from properties.conformance.said import as_json, of_the_moves
+from properties.conformance.said import as_json, of_the_moves, of_the_velocities
 from properties.engine.ties import TIES, Choices, Near, Ties, TooManyWays, every_way, value_of
 from reference.formats.files import FormatError
 from reference.formats.level import BodyRecord, LevelRecord, level_record, valid_level
 from reference.formats.numbers import exact, readable
-from reference.formats.scenario import DriveRecord, ScenarioRecord
+from reference.formats.scenario import ScenarioRecord
 from reference.formats.trace import EventRecord, LineRecord
+from reference.physics import left_to, set_off, with_motions
 from reference.plan import Plan, check_plan
 from reference.recording import Recording, event_record, events_of
 from reference.simulator import Endless, Happened
-from reference.stepping import MOST_CHOSEN, StepGame, of_step, run, told
+from reference.stepping import MOST_CHOSEN, Driven, StepGame, of_step, run, told
 from reference.storeys import StoreyWorld, Terrain
 from reference.world import LevelError, World
-from spec.body import Level
+from spec.body import Body, Level
 from spec.graph import Direction
 from spec.profiles import SteppedProfile
+from spec.rules.velocity import Motion
 from spec.storeys import Drive, Interval, short_way
 
 MOST_WAYS = 500
@@ -50,19 +52,24 @@ class Outcome:
     storeys: StoreyWorld[Any]
     moved: Mapping[int, Fraction]
     happened: tuple[Happened[Any], ...]
+    speeds: Mapping[int, Any]
     work: int
 
 
 @dataclass(frozen=True)
 class OfSteps:
-    """Who judges steps in which bodies move all at once: the plan of a log's level, and the profile."""
+    """Who judges steps in which bodies move all at once: the plan of a log's level, and the profile.
+
+    `nearly` is how well velocities are known.
+    """
 
     plan: Plan[Fraction]
     profile: SteppedProfile
+    nearly: Fraction
 
-    def asked(self, line: LineRecord) -> tuple[Request, ...]:
+    def asked(self, before: World[Fraction], line: LineRecord) -> tuple[Request, ...]:
         """How far each driven body would come if nothing were in its way."""
-        drives, time = of_step(self.plan.level, line.asked)
+        drives, time = self.driven(before, line)
         return tuple((body, way(drive.speed), abs(drive.speed) * time) for body, drive in drives.items())
 
     def judge(self, step: Step, tolerance: Fraction) -> tuple[Judgement, list[Difference]]:
@@ -74,11 +81,39 @@ class OfSteps:
             said += self.of_the_events(step.line, outcome) if not tolerance else ()
         return judgement, said
 
+    def motions(self, before: World[Fraction], line: LineRecord) -> dict[int, Motion[Fraction]]:
+        """The motions with which bodies set off in a tick; in other steps none does.
+
+        A velocity that is known nearly may be less than the minimum or not; then it is what the line says it is.
+        """
+        found: dict[int, Motion[Fraction]] = {}
+        told = {place.name: exact(place.velocity or 0, "$") for place in line.bodies}
+        for by in dict.fromkeys((ZERO, self.nearly, -self.nearly)) if line.tick is not None else ():
+            for body, held in enumerate(with_motions(before.level, minima_moved(before.bodies, by)).bodies):
+                if held.motion is not None:
+                    meant = set_off(self.profile.velocity, before, body, held.motion)
+                    if body not in found or abs(meant.velocity - told[held.name]) <= self.nearly:
+                        found[body] = meant
+        return found
+
+    def driven(self, before: World[Fraction], line: LineRecord) -> Driven[Fraction]:
+        """Who is driven how in a step, and for how long."""
+        return of_step(with_motions(self.plan.level, self.motions(before, line)), line.asked)
+
+    def left(self, step: Step, outcome: Outcome) -> tuple[Body[Fraction], ...]:
+        """The bodies before a step with the motions that are left to them after it."""
+        rules, storeys = self.profile.velocity, exactly(outcome.storeys, self.plan.terrain)
+        speeds = {body: value_of(speed) for body, speed in outcome.speeds.items()}
+        motions = self.motions(step.before, step.line).items()
+        left = {body: left_to(rules, storeys, body, motion, speeds) for body, motion in motions}
+        return with_motions(step.before.level, left).bodies
+
     def found(self, step: Step, tolerance: Fraction) -> tuple[Judgement, Outcome]:
         """What was found of a step, and what came of it by the rules."""
         before, seen = self.storeys(step.before), self.storeys(step.after)
-        outcome = self.outcome(before, step.line)
+        outcome = self.outcome(before, self.driven(step.before, step.line))
         differences = tuple(self.displaced(outcome.storeys, seen, tolerance, step.after))
+        differences += tuple(of_the_velocities(step.after, self.left(step, outcome), tolerance))
         finding = Finding.AGREES
         if differences:
             finding, outcome = self.among_all_ways(step, before, seen, tolerance, outcome)
@@ -91,7 +126,7 @@ class OfSteps:
         first = judgement.differences[0]
         note = f"Line {step.number} of {log.header.name} has {first}."
         scenario = self.scenario(step, first.body, f"line-{step.number}", note)
-        happened = self.outcome(self.storeys(step.before), step.line).happened
+        happened = self.outcome(self.storeys(step.before), self.driven(step.before, step.line)).happened
         story = tuple(f"at {readable(one.time)}: {one.body} {one.rule} {one.other or ''}".strip() for one in happened)
         story = (*self.course(step, first.body), *story)
         return Trouble(step, judgement.finding, judgement.differences, None, scenario, story=story)
@@ -99,7 +134,7 @@ class OfSteps:
     def course(self, step: Step, body: str) -> Iterator[str]:
         """How a body moves by the rules, from event to event, and by which rules."""
         after = self.storeys(step.before)
-        driven, time = of_step(self.plan.level, step.line.asked)
+        driven, time = self.driven(step.before, step.line)
         handle = [held.name for held in self.plan.level.bodies].index(body)
         moments, chosen = run(self.profile.rules, after, self.drives(driven), time, MOST_CHOICES)
         for moment in moments:
@@ -115,29 +150,29 @@ class OfSteps:
         places = [self.plan.place(world, body) for body in world.handles()]
         return StoreyWorld(self.plan.terrain, self.plan.level.margin, places)
 
-    def outcome(self, before: StoreyWorld[Any], line: LineRecord, most: int = MOST_CHOSEN) -> Outcome:
+    def outcome(self, before: StoreyWorld[Any], asked: Driven[Fraction], most: int = MOST_CHOSEN) -> Outcome:
         """What the rules make of a step.
 
         Raises:
             Endless: if rules are chosen more than `most` times.
         """
-        driven, time = of_step(self.plan.level, line.asked)
+        driven, time = asked
         names = [body.name for body in self.plan.level.bodies]
         drives, after = self.drives(driven), before.copy()
         moments, chosen = run(self.profile.rules, after, drives, time + before.margin * 0, most)
         moved = {body: sum((m.velocities[body] * value_of(m.moved) for m in moments), Fraction(0)) for body in drives}
-        return Outcome(after, moved, tuple(told(names, time, moments)), chosen.chosen)
+        return Outcome(after, moved, tuple(told(names, time, moments)), moments[-1].velocities, chosen.chosen)
 
     def among_all_ways(
         self, step: Step, before: StoreyWorld[Any], seen: StoreyWorld[Any], tolerance: Fraction, first: Outcome
     ) -> tuple[Finding, Outcome]:
         """Whether the bodies are where they may be if ties are broken in another way, and what happened then."""
-        near, drives = nearly(before), of_step(self.plan.level, step.line.asked)[0]
+        near, asked = nearly(before), self.driven(step.before, step.line)
 
         def one_way(choices: Choices) -> Outcome | None:
-            token = TIES.set(Ties(tolerance * slowest(drives), choices))
+            token = TIES.set(Ties(tolerance * slowest(asked[0]), choices))
             try:
-                return self.outcome(near, step.line, MORE_WORK * first.work)
+                return self.outcome(near, asked, MORE_WORK * first.work)
             except Endless:
                 return None
             finally:
@@ -145,11 +180,16 @@ class OfSteps:
 
         try:
             for outcome in every_way(one_way, MOST_WAYS) if tolerance else ():
-                if outcome is not None and not any(self.elsewhere(outcome.storeys, seen, tolerance)):
+                if outcome is not None and self.agrees(step, outcome, seen, tolerance):
                     return Finding.ONE_OF_SEVERAL, outcome
         except TooManyWays:
             return Finding.AMBIGUOUS, first
         return Finding.DIVERGES, first
+
+    def agrees(self, step: Step, outcome: Outcome, seen: StoreyWorld[Any], tolerance: Fraction) -> bool:
+        """Whether bodies are seen where an outcome has them, with the velocities that it leaves to them."""
+        wrong = of_the_velocities(step.after, self.left(step, outcome), tolerance)
+        return not any(self.elsewhere(outcome.storeys, seen, tolerance)) and not any(wrong)
 
     def displaced(
         self, expected: StoreyWorld[Any], seen: StoreyWorld[Any], tolerance: Fraction, after: World[Fraction]
@@ -211,7 +251,10 @@ class OfSteps:
         except (FormatError, LevelError):
             return None
         game = StepGame(self.profile, level, MOST_CHOICES)
-        game.step(*of_step(level, line.asked))
+        if line.tick is None:
+            game.step(*of_step(level, line.asked))
+        else:
+            game.tick(line.tick.direction)
         place = game.storeys.places[game.names.index(body)]
         return place.storey, place.left, None if place.support is None else game.names[place.support]
 
@@ -290,14 +333,14 @@ class OfChanges:
     before: OfSteps
     after: OfSteps
 
-    def asked(self, line: LineRecord) -> tuple[Request, ...]:
+    def asked(self, before: World[Fraction], line: LineRecord) -> tuple[Request, ...]:
         """Nobody is driven."""
         return ()
 
     def judge(self, step: Step, tolerance: Fraction) -> tuple[Judgement, list[Difference]]:
         """Whether there is room for who comes, who loses a support settles, and all others stay."""
         start = self.start(step.line)
-        outcome = self.after.outcome(start, LineRecord(drive=DriveRecord({}, 0), bodies=[]))
+        outcome = self.after.outcome(start, ({}, Fraction(0)))
         seen, level = self.after.storeys(step.after), self.after.plan.level
         displaced = self.after.displaced(outcome.storeys, seen, tolerance, step.after)
         differences = (*(no_room(start, level, tolerance) if step.line.add is not None else ()), *displaced)

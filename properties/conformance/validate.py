@@ -17,17 +17,26 @@ from properties.conformance.log import (
     Step,
     grid_of,
     requests_of,
+    rolled,
     tolerance_of,
 )
 from properties.conformance.minimise import Reduction
-from properties.conformance.said import of_the_events, of_the_grid, of_the_moves, of_the_state
+from properties.conformance.said import (
+    of_the_events,
+    of_the_grid,
+    of_the_moves,
+    of_the_rolls,
+    of_the_state,
+    of_the_velocities,
+)
 from properties.conformance.stepping import OfChanges, OfSteps
 from reference.formats.files import FormatError, one_line
 from reference.formats.trace import LineRecord
 from reference.plan import check_plan, plan_of
+from reference.play import widths_of
 from reference.recording import Recording, following, read_trace, state_after
 from reference.rounding import tolerance as rounding
-from reference.simulator import Endless
+from reference.simulator import Endless, Fulfilled
 from reference.world import LevelError, World
 from spec.body import Level
 from spec.graph import Direction, EdgeType
@@ -123,10 +132,11 @@ def referee_of(log: Recording) -> Referee:
     Raises:
         LevelError: if the level is not one that the profile is about.
     """
+    nearly = tolerance_of(log.header, log.level, ()) / log.level.tick
     if isinstance(log.profile, Profile):
-        return OfRequests(log.level, log.profile)
+        return OfRequests(log.level, log.profile, nearly)
     check_plan(log.level)
-    return OfSteps(plan_of(log.level), log.profile)
+    return OfSteps(plan_of(log.level), log.profile, nearly)
 
 
 def referee_after(log: Recording, referee: OfSteps) -> OfSteps:
@@ -150,7 +160,7 @@ def steps_of(path: Path, log: Recording, referee: Referee) -> Iterator[tuple[Ste
             yield Step(number, after, (), line, after), log, OfChanges(state, before, referee)
             state = after
             continue
-        asked, after = referee.asked(line), world_after(log, line, f"{path}:{number}")
+        asked, after = referee.asked(state, line), world_after(log, line, f"{path}:{number}")
         yield Step(number, state, asked, line, after), log, referee
         state = after
 
@@ -162,7 +172,7 @@ def world_after(log: Recording, line: LineRecord, where: str) -> World[Fraction]
         StateError: if no body can be so.
     """
     try:
-        return state_after(log.level, line)
+        return state_after(log.level, line, widths_of(log.profile))
     except LevelError as error:
         raise StateError(one_line(f"{where}: {error}")) from None
 
@@ -170,7 +180,7 @@ def world_after(log: Recording, line: LineRecord, where: str) -> World[Fraction]
 class Referee(Protocol):
     """Who judges the steps of a log."""
 
-    def asked(self, line: LineRecord, /) -> tuple[Request, ...]:
+    def asked(self, before: World[Fraction], line: LineRecord, /) -> tuple[Request, ...]:
         """Who was to move how far in a step."""
 
     def judge(self, step: Step, tolerance: Fraction, /) -> tuple[Judgement, list[Difference]]:
@@ -182,14 +192,15 @@ class Referee(Protocol):
 
 @dataclass(frozen=True)
 class OfRequests:
-    """Who judges steps in which bodies move one after another."""
+    """Who judges steps in which bodies move one after another; `nearly` is how well velocities are known."""
 
     level: Level[Fraction]
     profile: Profile
+    nearly: Fraction
 
-    def asked(self, line: LineRecord) -> tuple[Request, ...]:
+    def asked(self, before: World[Fraction], line: LineRecord) -> tuple[Request, ...]:
         """The requests of a line, in order."""
-        return requests_of(self.level, self.profile, line)
+        return requests_of(before, self.profile, line, self.nearly)
 
     def judge(self, step: Step, tolerance: Fraction) -> tuple[Judgement, list[Difference]]:
         """Where the bodies are, and what the line says of its requests; of rules where they are known."""
@@ -199,7 +210,16 @@ class OfRequests:
             rules_known = judgement.finding is Finding.AGREES and not tolerance and in_one_order(step.before)
             said += of_the_moves(step.line, step.asked, judgement.expected, tolerance, rules_known)
             said += of_the_events(step.line, self.profile, judgement.expected) if rules_known else ()
+            said += self.of_velocities(step, tolerance, rules_known)
         return judgement, said
+
+    def of_velocities(self, step: Step, tolerance: Fraction, rules_known: bool) -> Iterator[Difference]:
+        """What the line says of velocities, which change in ticks only; of their rules too, if these are known."""
+        turns, world = list[Fulfilled[Fraction]](), step.before
+        if step.line.tick is not None:
+            turns, world = rolled(step.before, self.profile, step.line, self.nearly)
+        yield from of_the_velocities(step.after, world.bodies, tolerance)
+        yield from of_the_rolls(step.line, turns) if rules_known else ()
 
     def trouble(self, step: Step, log: Recording, judgement: Judgement, tolerance: Fraction) -> Trouble:
         """Which rule diverges, and the step as a small scenario."""

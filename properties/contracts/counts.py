@@ -14,7 +14,7 @@ from reference.world import World
 from spec.body import Body, EdgePosition, Level
 from spec.graph import Direction
 from spec.profiles import PROFILES, Profile
-from spec.registry import rules_of
+from spec.registry import rules_of, velocity_rules_of
 
 ONE, MARGIN = Fraction(1), Fraction(1, 8)
 
@@ -95,6 +95,6 @@ def every_rule_fires(profile: Profile) -> int:
         playing = play(path)
         playing.game.most = MOST_RULES
         fired.update(rule for step in playing.steps for move in step.moves for _, rule in move.fired)
-    missing = {rule.id for one in PROFILES.values() for rule in rules_of(one)} - fired
+    missing = {rule.id for one in PROFILES.values() for rule in (*rules_of(one), *velocity_rules_of(one))} - fired
     assert not missing, f"no scenario fires {', '.join(sorted(missing))}"
     return len(library())

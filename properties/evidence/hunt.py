@@ -17,8 +17,10 @@ from properties.contracts.request import judged
 from properties.engine.explore import Outcome, explore
 from properties.evidence.deeds import do
 from properties.given import Given
+from properties.worlds.points import scene_of_points
 from properties.worlds.scenes import Shape, scene, shapes
 from reference.world import World
+from spec.body import Level
 from spec.conditions import PLANE_START
 from spec.graph import Direction
 from spec.profiles import Profile
@@ -41,11 +43,18 @@ def start_in_order(given: Given, world: World[Any]) -> None:
     given.assume(PLANE_START.holds(world, world.margin), PLANE_START.id)
 
 
+def scene_of(hunt: Hunt, given: Given, shape: Shape) -> tuple[Level[Any], Any]:
+    """Any scene of a hunt that has a shape, and any distance asked."""
+    return scene_of_points(given, shape) if hunt.points else scene(given, shape, hunt.guided)
+
+
 def promise_of(hunt: Hunt, shape: Shape, profile: Profile, given: Given) -> None:
     """Ask the first body of any scene of a shape to move right by any distance, and make the promise of a hunt."""
-    level, asked = scene(given, shape, hunt.guided)
+    level, asked = scene_of(hunt, given, shape)
     world = World(level)
     start_in_order(given, world)
+    for condition in hunt.premises:
+        given.assume(condition.holds(world, asked), condition.id)
     deed, record = do(profile, world, MOVER, RIGHT, asked, asked * 0)
     fired = frozenset(rule for body, rule in record.fired if body == MOVER)
     for rule in fired:
@@ -57,7 +66,8 @@ def in_order(hunt: Hunt, seed: int) -> list[Shape]:
     """The shapes of a hunt, the smallest first and equals in any order."""
     order = shapes(hunt.most_bodies, hunt.most_edges, hunt.guided)
     Random(seed).shuffle(order)
-    return [one for one in sorted(order, key=lambda one: one.size) if len(one.stands) >= hunt.least_bodies]
+    found = [one for one in sorted(order, key=lambda one: one.size) if len(one.stands) >= hunt.least_bodies]
+    return [one for one in found if (hunt.riders and not hunt.points) or not one.has_riders]
 
 
 def go(hunt: Hunt, profile: Profile, seed: int = 0) -> Quarry:

@@ -124,12 +124,13 @@ def refute(claim_id: str) -> Showing:
 def chase(claim_id: str, seed: int) -> Showing:
     """Hunt for a witness against the promise of a claim; the seed orders shapes of the same size."""
     from properties.evidence.hunt import go
-    from spec.profiles import OF_REQUESTS
+    from spec.profiles import Profile
 
     claim = by_id(claim_id)
     assert claim.hunt is not None
+    assert isinstance(claim.profile, Profile)
     started = time.perf_counter()
-    quarry = go(claim.hunt, OF_REQUESTS[claim.profile.name], seed)
+    quarry = go(claim.hunt, claim.profile, seed)
     seconds = time.perf_counter() - started
     if quarry.shape is None:
         return Showing("z3", seconds, quarry.paths, open=tuple(quarry.open))
@@ -275,7 +276,14 @@ def bodies_shown(claim: Claim) -> int | None:
     for obligation in claim.obligations:
         if obligation.shape is not None and obligation.bodies is not None:
             most[obligation.shape] = max(obligation.bodies, most.get(obligation.shape, 0))
+    if goes_through_all(claim):
+        most["all"] = min(item.bodies for item in claim.counts if item.bodies is not None)
     return min(most.values(), default=None)
+
+
+def goes_through_all(claim: Claim) -> bool:
+    """Whether all that shows a claim are counts that go through all worlds up to a number of bodies."""
+    return claim.sampled is None and bool(claim.counts) and all(item.bodies is not None for item in claim.counts)
 
 
 def unlisted(claim: Claim) -> tuple[str, ...]:
@@ -304,7 +312,7 @@ def verdict_of(claim: Claim, showings: list[Showing]) -> tuple[Verdict, tuple[st
     if unknown or (claim.erratum is not None):
         return Verdict.UNKNOWN, unknown or ("no witness was found",)
     if not claim.obligations and claim.hunt is None:
-        return Verdict.TESTED, ()
+        return (Verdict.BOUNDED if goes_through_all(claim) else Verdict.TESTED), ()
     bounded = claim.hunt is not None or any(obligation.shape is not None for obligation in claim.obligations)
     return (Verdict.BOUNDED if bounded else Verdict.PROVED), ()
 

@@ -11,8 +11,9 @@ from properties.claims.claim import Claim, Erratum
 from properties.contracts.errata import Stage
 from properties.engine.explore import Outcome, explore
 from properties.evidence.files import file_name
+from properties.evidence.hunt import scene_of
 from properties.given import Exact, Given
-from properties.worlds.scenes import Shape, scene
+from properties.worlds.scenes import Shape
 from reference.formats.files import write
 from reference.formats.level import level_record
 from reference.formats.numbers import number_text
@@ -38,7 +39,7 @@ def scenario(claim: Claim, values: Mapping[str, Fraction | bool | str], shape: S
     if claim.erratum is not None:
         claim.erratum(claim.profile, Exact(values), stage)
     elif claim.hunt is not None and shape is not None:
-        stage.level, asked = scene(Exact(values), shape, claim.hunt.guided)
+        stage.level, asked = scene_of(claim.hunt, Exact(values), shape)
         stage.steps.append((stage.level.bodies[0].name, asked))
     assert stage.level is not None
     name = file_name(claim.id)

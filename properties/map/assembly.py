@@ -10,13 +10,14 @@ from typing import Any
 import msgspec
 
 from properties.evidence.showing import Job
+from properties.map import cases, errata, features, readings, theorem
 from properties.map.part import Finding, Findings, Part
 from reference.draw import strip
 from reference.formats.files import FormatError, pieces, read, write, write_whole
 from reference.formats.scenario import ScenarioRecord
 from reference.recording import recording
 
-PARTS: tuple[Part, ...] = ()
+PARTS: tuple[Part, ...] = (theorem.PART, cases.PART, errata.PART, features.PART, readings.PART)
 DOCS = Path("docs")
 MADE = "Made by `make map`; `make check` plays its witnesses again."
 ABOUT = """\

@@ -23,10 +23,14 @@ HEIGHTS = (Fraction(0), ONE, ONE + ONE)
 
 @dataclass(frozen=True)
 class Stand:
-    """Where a body stands: on a ground edge (by its place from the left), or on the top of an earlier body."""
+    """Where a body stands: on a ground edge (by its place from the left), or on the top of an earlier body.
+
+    On ground it may overhang the ledge on one side.
+    """
 
     edge: int | None = None
     top: int | None = None
+    overhang: Direction | None = None
 
 
 @dataclass(frozen=True)
@@ -39,11 +43,12 @@ class Platform:
 
 @dataclass(frozen=True)
 class Shape:
-    """The shape of a scene; see the module."""
+    """The shape of a scene; see the module. Edges are no shorter than the margin, unless they may be `short`."""
 
     heights: tuple[Fraction, ...]
     stands: tuple[Stand, ...]
     platform: Platform | None = None
+    short: bool = False
 
     @property
     def size(self) -> tuple[int, int, int]:
@@ -53,6 +58,11 @@ class Shape:
             len(self.heights) + (self.platform is not None),
             sum(s.top is not None for s in self.stands),
         )
+
+    @property
+    def has_riders(self) -> bool:
+        """Whether a body stands on another."""
+        return any(stand.top is not None for stand in self.stands)
 
 
 def fall_edge(upper: int, lower: int, falls_right: bool, height: Fraction) -> Edge[Any]:
@@ -106,7 +116,7 @@ def scene(given: Given, shape: Shape, guided: bool) -> tuple[Level[Any], Any]:
     for width in widths:
         given.assume(width > margin)
     for length in lengths:
-        given.assume(length >= (widths[0] if guided else margin))
+        given.assume(length > 0 if shape.short else length >= (widths[0] if guided else margin))
     graph = profile_of_heights(shape, lengths)
     ground = [i for i, edge in enumerate(graph.edges) if edge.type is EdgeType.GROUND]
     bodies = []
@@ -114,9 +124,14 @@ def scene(given: Given, shape: Shape, guided: bool) -> tuple[Level[Any], Any]:
         name, left = chr(65 + place), given.number(f"left of {chr(65 + place)}")
         edge = len(graph.edges) + stand.top if stand.top is not None else ground[stand.edge or 0]
         length = widths[stand.top] if stand.top is not None else graph.edges[edge].length
-        if stand.top is not None:
+        if stand.overhang is Direction.LEFT:
+            left = left * -1
+            given.assume((left < 0) & (left + width > 0))
+        if stand.top is not None or stand.overhang is Direction.RIGHT:
             given.assume(left < length)
             right = EdgePosition(edge, left + width)
+            if stand.overhang is not None:
+                given.assume(right.location > length)
         else:
             right = right_border(given, graph, edge, left + width)
             given.assume(left < length)

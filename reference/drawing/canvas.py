@@ -43,9 +43,9 @@ class Frame:
             return {self.line.request.body: Fraction(self.line.request.distance)}
         if self.line.drive is not None:
             return {name: exact(speed, "$") for name, speed in self.line.drive.speeds.items()}
-        if self.line.tick is None:
+        if self.line.tick is None or self.line.tick.direction is None:
             return {}
-        way = Fraction(1 if self.line.tick.key == "right" else -1)
+        way = Fraction(self.line.tick.direction)
         return {body.name: way for body in self.world.bodies if body.speed}
 
 

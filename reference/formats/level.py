@@ -15,7 +15,9 @@ from reference.formats.numbers import Number, check_sums, exact, number_text
 from reference.rounding import Precision, tolerance
 from reference.world import LevelError, world_of
 from spec.body import Body, EdgePosition, Level
+from spec.features import WIDE, Widths
 from spec.graph import Edge, EdgeType, ExplicitEdge, Graph, IrrationalLength, NoLength, Vertex, explicit, polyline
+from spec.rules.velocity import Material, Motion
 
 MOST_BUTTONS = 100
 Index = Annotated[int, Meta(ge=0)]
@@ -32,6 +34,37 @@ class Position(Record, frozen=True):
     top: Annotated[Name | None, says("the top of a body, by the body's name")] = None
 
 
+class MaterialRecord(Record, frozen=True):
+    """What a dynamic body is made of, and what acts on it. All numbers but the force are at least 0."""
+
+    friction: Annotated[Number, says("its coefficient of friction")] = "0"
+    drag: Annotated[
+        Number,
+        says(
+            "by what its velocity is multiplied in each tick, from 0 to 1; only under `thesis` and `thesis/overshoot`"
+        ),
+    ] = "1"
+    damping: Annotated[
+        Number,
+        says(
+            "how much velocity it loses for each unit of way, in 1 per second; only under `repaired` and "
+            "`thesis/mended-velocity`"
+        ),
+    ] = "0"
+    slowest: Annotated[Number, says("its least speed, in units of length per second; if it is slower, it stands")] = "0"
+    fastest: Annotated[
+        Number | None, says("its greatest speed, in units of length per second; if left out, there is none")
+    ] = None
+    mass: Annotated[Number, says("its mass, more than 0")] = "1"
+    gravity: Annotated[
+        Number, says("the gravity constant times the body's gravity scale, in units of length per second squared")
+    ] = "981/100"
+    force: Annotated[
+        Number,
+        says("what pushes it along the ground, in units of mass times length per second squared; negative to the left"),
+    ] = "0"
+
+
 class BodyRecord(Record, frozen=True):
     """A body where it starts: a character if it has a speed, else a box."""
 
@@ -41,6 +74,17 @@ class BodyRecord(Record, frozen=True):
     speed: Annotated[Number, says("units of length per second while a key is held; 0 for a box")] = "0"
     height: Annotated[Number, says("height in units of length, more than 0; others may stand on its top")] = "1"
     pushes: Annotated[bool, says("whether it may push others")] = True
+    velocity: Annotated[
+        Number | None,
+        says(
+            "for a box that moves of its own in each tick, how fast it is along what it stands on, in units of length "
+            "per second, negative to the left; if left out, 0 with a `material`, else it does not move of its own"
+        ),
+    ] = None
+    material: Annotated[
+        MaterialRecord | None,
+        says("for a dynamic box, which feels gravity, friction and drag; if left out, its velocity stays as it is set"),
+    ] = None
 
 
 class EdgeRecord(Record, frozen=True):
@@ -55,6 +99,9 @@ class EdgeRecord(Record, frozen=True):
     thickness: Annotated[
         Number | None,
         says("how far down it is solid under a ground edge, in units of length; if left out, all the way"),
+    ] = None
+    friction: Annotated[
+        Number | None, says("its coefficient of friction; if left out, that of the body alone counts")
     ] = None
 
 
@@ -155,15 +202,17 @@ def level_of(record: LevelRecord) -> Level[Fraction]:
     return level
 
 
-def valid_level(record: LevelRecord, place: str, numbers: Precision = "exact") -> Level[Fraction]:
-    """The level of a record that is at `place` in a document, if a world can hold it, in such numbers.
+def valid_level(
+    record: LevelRecord, place: str, numbers: Precision = "exact", widths: Widths = WIDE
+) -> Level[Fraction]:
+    """The level of a record that is at `place` in a document, if a world can hold it, in such numbers and widths.
 
     Raises:
         LevelError: if not.
     """
     try:
         level = level_of(record)
-        world_of(level, tolerance(numbers, level))
+        world_of(level, tolerance(numbers, level), widths)
     except LevelError as error:
         raise error.under(place) from None
     return level
@@ -185,6 +234,8 @@ def distances_per_tick(level: Level[Fraction]) -> Iterator[tuple[str, tuple[Frac
     """How far the bodies of a level want to move in a tick, with their places."""
     for i, body in enumerate(level.bodies):
         yield f"$.bodies[{i}].speed", (body.speed * level.tick,)
+        if body.motion is not None:
+            yield f"$.bodies[{i}].velocity", (body.motion.velocity, body.motion.velocity * level.tick)
 
 
 def tops_of(record: LevelRecord, statics: int) -> Tops:
@@ -227,7 +278,11 @@ def explicit_edge(record: EdgeRecord, index: int, vertices: int) -> ExplicitEdge
         if vertex >= vertices:
             raise LevelError(f"$.edges[{index}].{side}", f"expected 0 to {vertices - 1}, got {vertex}")
     thickness = None if record.thickness is None else exact(record.thickness, f"$.edges[{index}].thickness")
-    return ExplicitEdge(record.left, record.right, None if record.type is None else EdgeType(record.type), thickness)
+    friction = None if record.friction is None else exact(record.friction, f"$.edges[{index}].friction")
+    if friction is not None and friction < 0:
+        raise LevelError(f"$.edges[{index}].friction", f"expected 0 or more, got {friction}")
+    edge_type = None if record.type is None else EdgeType(record.type)
+    return ExplicitEdge(record.left, record.right, edge_type, thickness, friction)
 
 
 def check_left_to_right(vertices: list[Vertex[Fraction]], circumference: Fraction | None) -> None:
@@ -245,7 +300,47 @@ def body_of(record: BodyRecord, tops: Tops, place: str) -> Body[Fraction]:
     if speed < 0:
         raise LevelError(f"{place}.speed", f"expected 0 or more, got {speed}")
     left, right = position_of(record.left, tops, f"{place}.left"), position_of(record.right, tops, f"{place}.right")
-    return Body(record.name, left, right, speed, height, record.pushes)
+    return Body(record.name, left, right, speed, height, record.pushes, motion_of(record, speed, place))
+
+
+def motion_of(record: BodyRecord, speed: Fraction, place: str) -> Motion[Fraction] | None:
+    """How a body moves of its own, or None if it does not.
+
+    Raises:
+        LevelError: if a number is not as it must be, or a character has a velocity.
+    """
+    if record.velocity is None and record.material is None:
+        return None
+    if speed:
+        what = "velocity" if record.material is None else "material"
+        raise LevelError(f"{place}.{what}", "expected none: a character has the speed that is set while a key is held")
+    velocity = exact("0" if record.velocity is None else record.velocity, f"{place}.velocity")
+    if record.material is None:
+        return Motion(velocity, None, Fraction(0), Fraction(0))
+    return of_material(record.material, velocity, f"{place}.material")
+
+
+def of_material(record: MaterialRecord, velocity: Fraction, place: str) -> Motion[Fraction]:
+    """The motion of a dynamic body.
+
+    Raises:
+        LevelError: if a number is not as it must be.
+    """
+
+    def number(name: str) -> Fraction:
+        found = exact(getattr(record, name), f"{place}.{name}")
+        if found < 0:
+            raise LevelError(f"{place}.{name}", f"expected 0 or more, got {found}")
+        return found
+
+    drag, mass = number("drag"), number("mass")
+    if drag > 1:
+        raise LevelError(f"{place}.drag", f"expected 0 to 1, got {drag}")
+    if not mass:
+        raise LevelError(f"{place}.mass", f"expected a number greater than 0, got {mass}")
+    fastest = None if record.fastest is None else number("fastest")
+    material = Material(number("friction"), drag, number("damping"), number("slowest"), fastest, mass)
+    return Motion(velocity, material, number("gravity"), exact(record.force, f"{place}.force"))
 
 
 def level_record(level: Level[Fraction], name: str, note: str = "") -> LevelRecord:
@@ -265,11 +360,32 @@ def level_record(level: Level[Fraction], name: str, note: str = "") -> LevelReco
         circumference=round_,
         margin=text(level.margin),
         tick=text(level.tick),
-        bodies=[
-            BodyRecord(b.name, position(b.left), position(b.right), text(b.speed), text(b.height), b.pushes)
-            for b in level.bodies
-        ],
+        bodies=[body_record(body, position(body.left), position(body.right)) for body in level.bodies],
         buttons=[position(at) for at in level.buttons],
+    )
+
+
+def body_record(body: Body[Fraction], left: Position, right: Position) -> BodyRecord:
+    """A body as it stands in a file."""
+    text, motion = number_text, body.motion
+    velocity = None if motion is None else text(motion.velocity)
+    material = None if motion is None or motion.material is None else material_record(motion, motion.material)
+    speed, height = text(body.speed), text(body.height)
+    return BodyRecord(body.name, left, right, speed, height, body.pushes, velocity, material)
+
+
+def material_record(motion: Motion[Fraction], material: Material[Fraction]) -> MaterialRecord:
+    """What a dynamic body is made of, and what acts on it, as it stands in a file."""
+    text = number_text
+    return MaterialRecord(
+        friction=text(material.friction),
+        drag=text(material.drag),
+        damping=text(material.damping),
+        slowest=text(material.slowest),
+        fastest=None if material.fastest is None else text(material.fastest),
+        mass=text(material.mass),
+        gravity=text(motion.gravity),
+        force=text(motion.force),
     )
 
 
@@ -284,7 +400,8 @@ def position_record(at: EdgePosition[Any], level: Level[Any]) -> Position:
 def edge_record(edge: Edge[Fraction]) -> EdgeRecord:
     """An edge as it stands in a file."""
     thickness = None if edge.thickness is None else number_text(edge.thickness)
-    return EdgeRecord(edge.left, edge.right, edge.type.value, thickness)
+    friction = None if edge.friction is None else number_text(edge.friction)
+    return EdgeRecord(edge.left, edge.right, edge.type.value, thickness, friction)
 
 
 def is_polyline(graph: Graph[Fraction]) -> bool:

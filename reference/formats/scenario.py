@@ -10,6 +10,7 @@ from msgspec import Meta
 from reference.formats.files import MOST_ITEMS, FormatError, Many, Name, Record, read, says
 from reference.formats.level import BodyRecord, LevelRecord
 from reference.formats.numbers import Number
+from spec.graph import Direction
 from spec.profiles import PROFILES
 
 Times = Annotated[int, Meta(ge=1, le=MOST_ITEMS)]
@@ -25,10 +26,18 @@ class RequestRecord(Record, frozen=True):
 
 
 class TickRecord(Record, frozen=True):
-    """Ticks with one key held: in each, every character in turn is asked to move by its speed times the tick."""
+    """Ticks with one key held, or none: in each, every character in turn is asked to move by its speed times the tick.
 
-    key: Annotated[Literal["left", "right"], says("the key that is held")]
+    So is each body with a velocity of its own, by that.
+    """
+
+    key: Annotated[Literal["left", "right", "none"], says("the key that is held")]
     times: Annotated[Times, says("for how many ticks; 1 in a trace, where each tick is a step of its own")] = 1
+
+    @property
+    def direction(self) -> Direction | None:
+        """The direction of the key."""
+        return None if self.key == "none" else Direction[self.key.upper()]
 
 
 class DriveRecord(Record, frozen=True):

@@ -70,6 +70,10 @@ class PlaceRecord(Record, frozen=True):
     name: Annotated[Name, says("whose place it is")]
     left: Annotated[Position, says("where its left border is")]
     right: Annotated[Position, says("where its right border is")]
+    velocity: Annotated[
+        Number | None,
+        says("its velocity then, in units of length per second; needed of a body that has one of its own in the level"),
+    ] = None
 
 
 class LineRecord(Record, frozen=True, kw_only=True):

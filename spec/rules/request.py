@@ -32,7 +32,8 @@ class Ask(Generic[N, B]):
 @dataclass(frozen=True)
 class Rules:
     """The families that a request chooses its rules from, handed along so that a proof, a mutant or a record
-    of what fired can stand in for any of them. `segment` is the motion of a front border along one edge.
+    of what fired can stand in for any of them. `segment` is the motion of a front border along one edge, `depart` the
+    look at what lies beyond the end of its edge.
     """
 
     clearance: Chooser
@@ -44,6 +45,7 @@ class Rules:
     fit: Chooser
     landing: Landing
     segment: Callable[..., Generator[Ask[Any, Any], Any, Motion[Any, Any]]]
+    depart: Callable[..., Departure[Any, Any]]
 
     def through(self, wrap: Callable[[Chooser], Chooser]) -> Rules:
         """The same rules, each family wrapped."""
@@ -92,7 +94,7 @@ def request(rules: Rules, view: View[N, B, P], body: B, distance: N, spare: int)
         motion = yield from rules.segment(rules, view, body, motion, spare)
     tow = Tow(view, rules.walk, view.rear(body), distance - motion.rest)
     rear = rules.follow.choose(tow).effect(tow)
-    leaving = depart(rules, view, body, motion.at, rear, tow.moved)
+    leaving = rules.depart(rules, view, body, motion.at, rear, tow.moved)
     placement: Placement[N, P] = rules.leave.choose(leaving).effect(leaving)
     view.place(body, placement.front, placement.rear)
     return placement.moved
