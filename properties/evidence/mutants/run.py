@@ -253,7 +253,7 @@ def set_aside(known: Known, group: str, name: str) -> str | None:
             crash = outings.crash_in_storeys()
         crashes = f"{CRASHING}: {crash}" if crash else crash_of(mutant, known.calls)
         return no_change(mutant, known.calls) or crashes or UNNOTICED
-    return no_change(mutant, known.calls) or crash_of(mutant, known.calls)
+    return no_change(mutant, known.calls) or crash_of(mutant, known.calls) or (UNNOTICED if group in OPEN else None)
 
 
 Progress = Callable[[str, int, int], None]
