@@ -20,7 +20,7 @@ from spec.plane import IN_PLANE
 from spec.profiles import PROFILES, THESIS, WITHOUT, without
 from spec.registry import rules_of, statements
 from spec.rules.leave import LEAVE
-from spec.unsupported import CASES
+from spec.unsupported import PRINTED
 
 
 def played(name):
@@ -74,7 +74,7 @@ def test_what_is_not_asked_is_there_to_be_asked():
     known = statements().keys()
     for feature in FEATURES:
         assert feature.not_asked <= known
-    assert set(promises_of(THESIS)) == {one.id for one in (*CASES, *IN_PLANE)}
+    assert set(promises_of(THESIS)) == {one.id for one in (*PRINTED, *IN_PLANE)}
     assert "invariant/plane-apart" not in promises_of(without(THESIS, COLLISIONS))
 
 

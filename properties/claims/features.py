@@ -17,11 +17,11 @@ from spec.number import Truth
 from spec.plane import IN_PLANE, negated
 from spec.profiles import WITHOUT, Profile
 from spec.rules.request import Rules
-from spec.unsupported import CASES
+from spec.unsupported import PRINTED
 
 Promise = Callable[[Deed[Any], frozenset[str]], Truth]
 MOST_BODIES, MOST_EDGES = 2, 3
-IN_TUNNELS = frozenset({"unsupported/tunnel", "invariant/terrain"})
+IN_TUNNELS = frozenset({"unsupported/tunnel", "unsupported/other-strings", "invariant/terrain"})
 NEAR = frozenset({"invariant/plane-margin"})
 LANDS_IN_PITS = frozenset(
     {"unsupported/short-pit", "unsupported/short-pit-heights", "unsupported/landing-does-not-fit"}
@@ -50,7 +50,7 @@ WITH_RIDERS: dict[str, frozenset[str]] = {
 
 def promises_of(profile: Profile) -> dict[str, Promise]:
     """What is asked of a profile, by ID: that no case happens, and what is promised of the plane."""
-    asked: dict[str, Promise] = {case.id: partial(never, case.happened) for case in CASES}
+    asked: dict[str, Promise] = {case.id: partial(never, case.happened) for case in PRINTED}
     in_order = [PLANE_ORDER] if WIDTH in profile.without and COLLISIONS not in profile.without else []
     asked.update({invariant.id: partial(always, invariant.holds) for invariant in [*IN_PLANE, *in_order]})
     return {name: promise for name, promise in asked.items() if name not in profile.not_asked}

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 
+from properties.claims.claim import Verdict
 from properties.claims.enough import CLAIMS, ENOUGH
+from properties.claims.repaired import CLAIMS as STEPS
 from properties.map.linking import claim_link
 from properties.map.part import Finding, Findings
 from properties.map.sets import Names, maximal, minimal, suffices, sufficient
@@ -15,12 +17,13 @@ from spec.conditions import (
     NOBODY_RIDES,
     ROOMY_GROUNDS,
     SHORT_REQUESTS,
+    STOREYS_START,
     TWO_AT_MOST,
 )
 from spec.guidelines import GUIDELINES
 from spec.mends import MENDS
 from spec.plane import IN_PLANE
-from spec.profiles import OVERSHOOT, THESIS, Profile
+from spec.profiles import OVERSHOOT, REPAIRED, THESIS, Profile
 from spec.registry import Statement
 
 CODES = {one.id: f"G{number}" for number, one in enumerate(GUIDELINES, start=1)}
@@ -145,17 +148,26 @@ def bound(chosen: Names) -> str:
     return "3" if long else "2; with G1 to G5, 3"
 
 
+def in_short(findings: Findings) -> list[str]:
+    """Which levels are safe under which rules: all minimal sufficient sets of guidelines and conditions."""
+    rows = [
+        [f"`{profile.name}`", listed(one), f"bounded, to so many bodies: {bound(one)}"]
+        for profile in BOTH
+        for one in sufficient(NAMES, insufficient(entries_of(findings, profile)))
+    ]
+    proofs = [claim_link(claim.id) for claim in STEPS if claim.expected is Verdict.PROVED and claim.sampled]
+    rows.append([f"`{REPAIRED.name}`", name(STOREYS_START.id), ", ".join(proofs)])
+    return table(["rules", "safe are levels and requests that keep", "shown"], rows)
+
+
 def all_sets(findings: Findings) -> Told:
-    """All minimal sufficient and all maximal insufficient sets of guidelines and conditions."""
+    """All maximal insufficient sets of guidelines and conditions."""
     lines: list[str] = []
     used: list[Finding] = []
     for profile in BOTH:
         entries = entries_of(findings, profile)
         sets = insufficient(entries)
-        enough = [[listed(one), bound(one)] for one in sufficient(NAMES, sets)]
-        lines += [f"Under `{profile.name}` these suffice for all invariants, and none of them can be left out:", ""]
-        lines += [*table(["minimal sufficient sets", "bounded to bodies"], enough), ""]
-        lines += ["These do not suffice, however much is kept of the rest; each has a witness:", ""]
+        lines += [f"Under `{profile.name}` these do not suffice, however much is kept of the rest:", ""]
         witnesses = [(one, against(entries, one)) for one in sets]
         rows = [
             [listed(set(NAMES) - one), name(witness["invariant"]), link(witness, "witness")]
@@ -250,7 +262,7 @@ def catalogue(findings: Findings) -> Told:
 
 def legend() -> Iterator[str]:
     """What the names stand for."""
-    statements: tuple[Statement, ...] = (*GUIDELINES, *CONDITIONS, *MENDS)
+    statements: tuple[Statement, ...] = (*GUIDELINES, *CONDITIONS, STOREYS_START, *MENDS)
     rows = [[name(one.id), one.sentence] for one in statements]
     yield from table(["name", "sentence"], rows)
 
@@ -289,7 +301,7 @@ def sections(findings: Findings) -> list[tuple[list[str], Told]]:
 
 def section(findings: Findings) -> list[str]:
     """The section of the page."""
-    lines = [*ABOUT, domain(findings), "", *legend()]
+    lines = [*SHORT, "", *in_short(findings), "", *legend(), "", *ABOUT, domain(findings)]
     for introduction, (told, _) in sections(findings):
         lines += ["", *introduction, "", *told]
     return lines
@@ -300,7 +312,17 @@ def shown(findings: Findings) -> list[Finding]:
     return [entry for _, (_, used) in sections(findings) for entry in used]
 
 
+SHORT = """\
+### In short
+
+Who keeps all of a line of this table is safe in the plane: after a request, bodies are the margin apart, in no terrain,
+not raised, and on ground, and whoever was asked has come no further than asked. None of a line can be left out.
+The guidelines alone are not enough for two bodies under `thesis`, nor for one under `thesis/overshoot`.
+""".splitlines()
+
 ABOUT = """\
+### What was explored
+
 *Bounded* means here: no way of a request breaks it, whatever the sizes, in these levels.
 - One or two bodies of any widths on one, two or three grounds of any lengths, each a body height higher or lower
   than the last, or joined to it. Where three bodies are spoken of: three of one width on one or two grounds no shorter.
@@ -332,7 +354,7 @@ SETS = """\
 ### What suffices
 
 "This requires further exploration" (6.2.2): all sets of guidelines and further conditions, for all invariants in the
-plane at once.""".splitlines()
+plane at once. What suffices is in the first table; these are all maximal sets that do not, each with a witness.""".splitlines()
 
 MENDED = """\
 ### What mended rules spare
