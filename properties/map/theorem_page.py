@@ -354,7 +354,7 @@ SETS = """\
 ### What suffices
 
 "This requires further exploration" (6.2.2): all sets of guidelines and further conditions, for all invariants in the
-plane at once. What suffices is in the first table; these are all maximal sets that do not, each with a witness.""".splitlines()
+plane at once. What suffices is in the first table; these are all maximal sets that do not.""".splitlines()
 
 MENDED = """\
 ### What mended rules spare
