@@ -46,6 +46,7 @@ CLAIMS: tuple[Claim, ...] = (
             for mover in range(bodies)
             for direction in (Direction if bodies < 3 else (Direction.RIGHT,))
         ),
+        long=True,
     ),
     counted(
         "differences-have-causes",

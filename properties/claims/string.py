@@ -301,6 +301,7 @@ CLAIMS: tuple[Claim, ...] = (
         "6.2.1; A12",
         (KEPT,),
         errata.margin_with_short_edges,
+        long=True,
     ),
     refuted(
         "pushing-on-short-edges",
