@@ -10,6 +10,7 @@ COMPARED := $(VENV)/.compared
 SMTLIB := build/smtlib
 BROKEN := build/smtlib-mutants
 SCENARIOS ?= 100000
+LEVELS ?= 10500
 SOURCE := $(shell find spec reference properties -name '*.py')
 
 .DEFAULT_GOAL := help
@@ -49,12 +50,16 @@ ledger: $(READY) ## print what every verdict rests on, with the spread of the so
 	@$(BIN)/graphbody check --explain
 
 .PHONY: test
-test: $(READY) ## run the tests
-	@$(BIN)/pytest -n 2
+test: $(READY) ## run the tests, but for the slow ones
+	@$(BIN)/pytest -n 2 -m 'not slow'
+
+.PHONY: test-long
+test-long: $(READY) ## run the slow tests
+	@$(BIN)/pytest -n 2 -m slow
 
 .PHONY: independent
-independent: $(READY) ## compare the reference with a second program, on 10,000 random levels and those it refuses
-	@PYTHONPATH=tests $(BIN)/python -m independent 10500
+independent: $(READY) ## compare the reference with a second program, on LEVELS random levels, 10,500 if not said
+	@PYTHONPATH=tests $(BIN)/python -m independent $(LEVELS)
 
 # Seconds are those of the processor: what else runs on the machine counts for less.
 .PHONY: bench

@@ -99,6 +99,7 @@ def contracts_in(names):
     return {name.partition(": ")[0] for name in names if name.startswith("contract/")}
 
 
+@pytest.mark.slow
 def test_every_clause_is_promised_and_none_stands_in_that_the_claim_does_not_prove():
     claims = [claim for claim in CLAIMS if claim.profile is THESIS]
     obligations = {one.id: one for claim in claims for one in claim.obligations if one.id.startswith(CHAPTERS)}

@@ -121,6 +121,7 @@ def test_every_premise_is_assumed_by_a_claim_or_by_the_map():
 
 
 @pytest.mark.parametrize(("profile", "but"), [(THESIS, ()), (REPAIRED, COMING)], ids=["thesis", "repaired"])
+@pytest.mark.slow
 def test_the_proofs_for_any_number_of_bodies_make_every_rule_fire_but_those_of_events(profile, but):
     obligations = {
         o.id: o for claim in CLAIMS if claim.profile == profile for o in claim.obligations if o.bodies is None
@@ -139,6 +140,7 @@ def test_a_short_campaign_holds_and_is_not_tame(floats):
     assert set(FLOORS) <= set(result.shares)
 
 
+@pytest.mark.slow
 def test_a_campaign_names_each_property_that_fails_with_its_simplest_trial():
     without_limit = replace(THESIS, push_limit=lambda bodies: 1)
     careless = replace(

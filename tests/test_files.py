@@ -41,7 +41,8 @@ def load(tmp_path, text):
 
 def test_there_are_at_least_ten_levels_and_each_is_played():
     assert len(LEVELS) >= 10
-    played = {read(path, object)["level"].rpartition("/")[2] for path in library()}
+    levels = [read(path, object)["level"] for path in library()]
+    played = {level.rpartition("/")[2] for level in levels if isinstance(level, str)}
     assert played == {path.name for path in LEVELS}
 
 

@@ -139,6 +139,7 @@ def test_whether_a_level_is_one_of_storeys_is_told_with_the_place(profile, tmp_p
     assert max(map(len, told)) <= COLUMNS
 
 
+@pytest.mark.slow
 def test_the_same_of_a_thousand_bodies_is_bounded_work(tmp_path):
     vertices = [[str(x), str(y)] for i in range(500) for x, y in ((3 * i, i % 2), (3 * i + 3, i % 2))]
     bodies = [(f"B{i}", 2 * (i // 2), "1/10" if i % 2 else "2", "1" if i % 2 else "29/10") for i in range(1000)]

@@ -175,6 +175,7 @@ def test_a_record_is_read_as_it_was_written(tmp_path):
     assert read_record(tmp_path / "none.json") == Record({}, {})
 
 
+@pytest.mark.slow
 def test_the_record_is_about_what_there_is(monkeypatch):
     record = read_record()
     name = next(iter(record.kills["rules"]))
