@@ -78,6 +78,7 @@ REFUSED = {
     "no-higher-through-a-valley": SLOPE,
     "proxy-on-slanted-falls": STEPS,
     "proxy-on-tilted-landings": "to be level",
+    "order-without-width-overshoot": "left of the right border",
 }
 
 
