@@ -127,7 +127,7 @@ def out_of_sight(deed: Deed[Any], fired: Fired) -> Truth:
     return False if landed(fired) else nearer(world, [deed.body], others, world.margin)
 
 
-def blocked_from_above(deed: Deed[Any], fired: Fired) -> Truth:
+def stopped_from_above(deed: Deed[Any], fired: Fired) -> Truth:
     """It is blocked at a ledge by bodies that are all higher up than it is tall."""
     if "leave/blocked" not in fired:
         return False
@@ -216,9 +216,9 @@ FOUND: tuple[Case, ...] = (
         out_of_sight,
     ),
     Case(
-        "unsupported/blocked-from-above",
+        "unsupported/stopped-from-above",
         "A body is blocked at a ledge by one that is too high up to be in its way.",
         "6.2.1; R25, A20",
-        blocked_from_above,
+        stopped_from_above,
     ),
 )

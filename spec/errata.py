@@ -170,11 +170,11 @@ ON_LEDGES: tuple[Erratum, ...] = (
         evidence=("claim/step-terrain", "claim/step-seat"),
     ),
     Erratum(
-        "erratum/blocked-from-above",
+        "erratum/stopped-from-above",
         "A body whose jump edge leads up blocks a ledge however high above it is.",
         "6.2.1; R25, A20",
         printed=("leave/blocked", "reading/horizontal-distance"),
-        witness="blocked-from-above",
+        witness="stopped-from-above",
         mended=("model/neighbours", "settle/fall"),
         evidence=("claim/step-progress", REPLAYED),
     ),

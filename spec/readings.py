@@ -316,7 +316,7 @@ OF_VELOCITIES: tuple[Reading[None], ...] = (
         "leave them alone, on slopes too.",
         "6.3.1; R26, A40",
         "gravity pulls them; bounds and drag change them",
-        "physics-block-printed",
+        "physics-barge-printed",
     ),
     reading(
         "minimum-velocity",
@@ -354,14 +354,14 @@ OF_VELOCITIES: tuple[Reading[None], ...] = (
         "6.2.1c, 6.3.4; A2, A38",
         "what is stopped has the velocity with which it moved in the end (thesis/mended-velocity); what is pushed has "
         "the pusher's",
-        "physics-block-printed",
+        "physics-barge-printed",
     ),
     reading(
         "body-at-its-turn",
         "The slope under a body is that where it stands at its turn, also if it has been pushed there in this tick.",
         "5.2; R10, A3",
         "all velocities are found before anybody moves",
-        "physics-block-printed",
+        "physics-barge-printed",
     ),
 )
 

@@ -119,7 +119,7 @@ SEEN = {
         numbers("3 1/8 3", "1", "1", left_B="1/16"),
         {"length of ground 1": "1/4"},
     ),
-    "blocked-from-above": (
+    "stopped-from-above": (
         shape("10", G0, G2, platform=OVER_LEDGE),
         numbers("3 4", "1", "17/8", left_B="1/2"),
         {"left of B": "1"},

@@ -46,7 +46,7 @@ SHOWN: dict[str, str] = {
     "lands-too-far": "A19",
     "ridden-top": "A23",
     "lands-in-terrain": "A16",
-    "blocked-from-above": "A20",
+    "stopped-from-above": "A20",
     "overshoot-into-wall": "A15",
 }
 """Scenarios in which the thesis breaks something, and the row that says so."""
