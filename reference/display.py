@@ -13,6 +13,7 @@ from math import atan2, degrees
 from typing import Any, Generic
 
 from reference.formats.numbers import exact
+from reference.play import widths_of
 from reference.recording import Recording, following, state_after
 from reference.world import World
 from spec.body import Body
@@ -152,7 +153,7 @@ def frames(
     yield screen.shown
     for line in recording.lines:
         level = following(level, line)
-        world = state_after(level, line)
+        world = state_after(level, line, widths_of(recording.profile))
         fallen = {event.body for event in line.events or () if event.event in FALLING}
         time = (level.tick if line.drive is None else exact(line.drive.time, "$.drive.time")) / parts
         for part in range(parts):

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from spec.profiles import OVERSHOOT, REPAIRED, THESIS
-from spec.readings import Reading
+from spec.profiles import PROFILES, SteppedProfile
+from spec.readings import Reading, reading
 from spec.rule import AnyRule
 from spec.rules.display import (
     ACROSS,
@@ -33,32 +33,29 @@ SINKING_REPAIRED: Reading[Sinking] = Reading(
     choice=by_the_way_fallen,
 )
 
-SHOWN_FALLING: Reading[None] = Reading(
-    id="reading/shown-falling",
-    sentence="A body is shown falling and turning from each fall and each jump on, of whatever height, until it is "
+SHOWN_FALLING = reading(
+    "shown-falling",
+    "A body is shown falling and turning from each fall and each jump on, of whatever height, until it is "
     "shown at its target.",
-    source="6.4.1, 6.4.2; R29, O10",
-    others="for ever, so that one that never fell is at its target at once; not from jumps",
-    choice=None,
+    "6.4.1, 6.4.2; R29, O10",
+    "for ever, so that one that never fell is at its target at once; not from jumps",
 )
 
-SHOWN_SUPPORT: Reading[None] = Reading(
-    id="reading/shown-support",
-    sentence="The target of a body on a top is on that top as it is shown, so that a rider is shown falling with its "
+SHOWN_SUPPORT = reading(
+    "shown-support",
+    "The target of a body on a top is on that top as it is shown, so that a rider is shown falling with its "
     "support, and nobody is shown inside the body it stands on.",
-    source="6.1.2, 6.4.1; R12, R29",
-    others="on the top as it is simulated, under which a body that steps onto one that is still shown falling is shown "
+    "6.1.2, 6.4.1; R12, R29",
+    "on the top as it is simulated, under which a body that steps onto one that is still shown falling is shown "
     "inside it; as it is, it is shown rising (claim/nobody-is-shown-rising)",
-    choice=None,
 )
 
-SHOWN_ARC: Reading[None] = Reading(
-    id="reading/circular-length",
-    sentence="On a circular level the length of an edge is that of its chord, as the graph measures it; what is shown "
+SHOWN_ARC = reading(
+    "circular-length",
+    "On a circular level the length of an edge is that of its chord, as the graph measures it; what is shown "
     "goes along the arc, and is faster by as much as the arc is longer.",
-    source="6.1.2; R13, A43",
-    others="the length of the arc",
-    choice=None,
+    "6.1.2; R13, A43",
+    "the length of the arc",
 )
 
 OF_DISPLAY: tuple[Reading[object], ...] = (SINKING, SINKING_REPAIRED, SHOWN_FALLING, SHOWN_SUPPORT, SHOWN_ARC)
@@ -67,9 +64,8 @@ THESIS_DISPLAY = DisplayRules(VERTICAL, ACROSS, ROTATION, SINKING.choice)
 REPAIRED_DISPLAY = DisplayRules(VERTICAL, ACROSS, ROTATION, SINKING_REPAIRED.choice)
 
 DISPLAYS: dict[str, DisplayRules] = {
-    THESIS.name: THESIS_DISPLAY,
-    OVERSHOOT.name: THESIS_DISPLAY,
-    REPAIRED.name: REPAIRED_DISPLAY,
+    name: REPAIRED_DISPLAY if isinstance(profile, SteppedProfile) else THESIS_DISPLAY
+    for name, profile in PROFILES.items()
 }
 """The rules of a display step, by the name of the profile."""
 

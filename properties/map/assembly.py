@@ -19,12 +19,12 @@ from reference.recording import recording
 
 PARTS: tuple[Part, ...] = (theorem.PART, cases.PART, errata.PART, features.PART, readings.PART)
 DOCS = Path("docs")
-MADE = "Made by `make map`; `make check` plays its witnesses again."
+MADE = "Made by `make map`. `make check` plays its witnesses again, and does not search again where there are none."
 ABOUT = """\
 The thesis gives guidelines for levels and says that they "cannot guarantee that there are no complications". This page
-says what they do guarantee, what else is needed, and what goes wrong without. Each cell is a claim, of which
-[claims.md](reference/claims.md) has the verdict, or a witness: a scenario that `graphbody simulate` plays.
-*Bounded* means: in every level of the shapes that are named, whatever the sizes; not in every level.
+says what they do guarantee, what else is needed, and what goes wrong without. A cell is a witness, which is a scenario
+that `graphbody simulate` plays; or a claim, of which [claims.md](reference/claims.md) has the verdict; or *bounded*: in
+every level of the shapes that are named, whatever the sizes, `make map` has found no witness. That is not every level.
 """
 
 
