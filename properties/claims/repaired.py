@@ -7,7 +7,7 @@ from fractions import Fraction
 
 from properties.claims.claim import Claim, Obligation, Verdict
 from properties.claims.string import name_of, of_rules
-from properties.contracts import step_families, steps, stretches, sweeps
+from properties.contracts import instants, step_families, steps, stretches, sweeps
 from properties.given import Given
 from properties.worlds.storeys import Member, Setting
 from spec.conditions import STOREYS_START
@@ -125,14 +125,23 @@ LOSSES = (
     Setting("two high up", (Member(2, STILL), Member(1, STILL)), (1, 1)),
     Setting("one on another that falls", (Member(2, STILL, 1), Member(1, STILL)), (1,)),
 )
-FROM_START = (stretches.stretches_keep_apart, stretches.what_touches_is_recorded)
+FROM_START = (
+    stretches.stretches_keep_apart,
+    stretches.what_touches_is_recorded,
+    instants.no_time_changes_nothing,
+)
 CONTACTS = of_steps(steps.contacts_do_not_close)
 TIMES = (
     *of_steps(stretches.no_event_is_passed_over, stretches.room_is_used_up_in_time),
     *(of_window(stretches.what_touches_is_recorded, setting) for setting in WINDOWS[:4]),
+    of_window(instants.no_time_changes_nothing, WINDOWS[0]),
+    *of_steps(instants.what_has_not_parted_stays_recorded, instants.neighbours_stay_in_contact),
 )
 STRETCHES = (*CONTACTS, *TIMES, *(of_window(stretches.stretches_keep_apart, setting) for setting in WINDOWS))
-SETTLED = tuple(of_window(stretches.settling_keeps_apart, setting) for setting in LOSSES)
+SETTLED = (
+    *of_steps(instants.what_was_lost_is_not_looked_at),
+    *(of_window(stretches.settling_keeps_apart, setting) for setting in LOSSES),
+)
 ROWS = (
     *of_steps(steps.wishes_are_of_drives, steps.squeezed_bodies_stand, sweeps.speeds_meet_once),
     *(of_way(sweeps.motion_has_causes, ahead) for ahead in Direction),

@@ -21,9 +21,11 @@ from spec.plane import Box, box, negated, terrain
 from spec.profiles import REPAIRED
 from spec.rules.event import Nearing, time_left
 from spec.rules.row import forwards
+from spec.rules.settle import on_its_storey
 from spec.storeys import Contact
 
 FALLS_LEAD_DOWN = "a fall edge is not level"
+NOBODY_RISES = "a support was a storey below, and nobody has come up"
 
 
 def promise_alike(given: Given, mutant: Mutant, ask: Callable[[], list[Any]]) -> None:
@@ -100,6 +102,14 @@ def what_comes_nearer(mutant: Mutant, given: Given) -> None:
     promise_alike(given, mutant, lambda: [time_left(nearing)])
 
 
+def riders_and_their_supports(mutant: Mutant, given: Given) -> None:
+    """Any body on the ground, or on another: that may have come down, but nobody comes up."""
+    support, storeys = 1 if given.flag("on another") else None, [given.number("storey"), given.number("storey below")]
+    given.assume(storeys[1] <= storeys[0] - 1, NOBODY_RISES)
+    world: Any = SimpleNamespace(support=lambda body: support, storey=lambda body: storeys[body])
+    promise_alike(given, mutant, lambda: [bool(on_its_storey(world, 0))])
+
+
 EQUAL: dict[str, Callable[[Mutant, Given], None]] = {
     "plane.Box.beside: False instead of True (2)": heights_of_bodies,
     "plane.negated: truth <= False instead of truth == False": plain_truths,
@@ -109,6 +119,8 @@ EQUAL: dict[str, Callable[[Mutant, Given], None]] = {
     "row.forwards: member.wish * direction instead of greater(member.wish * direction, zero_like(passed))": (
         speeds_in_a_row
     ),
+    "settle.on_its_storey: world.storey(support) >= world.storey(body) - 1 instead of world.storey(support) == "
+    "world.storey(body) - 1": riders_and_their_supports,
     "event.time_left: nearing.room instead of greater(nearing.room, zero_like(nearing.room))": what_comes_nearer,
 }
 
