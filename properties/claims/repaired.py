@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from fractions import Fraction
 
-from properties.claims.claim import Claim, Obligation, Verdict
+from properties.claims.claim import Claim, Count, Obligation, Verdict
 from properties.claims.string import name_of, of_rules
-from properties.contracts import instants, step_families, steps, stretches, sweeps
+from properties.contracts import instants, judging_steps, step_families, steps, stretches, sweeps
 from properties.given import Given
 from properties.worlds.storeys import Member, Setting
 from spec.conditions import STOREYS_START
@@ -226,6 +226,17 @@ CLAIMS: tuple[Claim, ...] = (
         "most, and of equals the first in the level's order.",
         "6.2.1e; R22, R25, A21, A23",
         steps.tops_are_chosen,
+    ),
+    Claim(
+        id="claim/step-invariants-judge",
+        family="work",
+        sentence="Of each step of a bank of right and wrong ones, each invariant says what is to be said of it.",
+        source="6.2.1; R5, R20",
+        about="invariants",
+        profile=REPAIRED,
+        premises=(),
+        expected=TESTED,
+        counts=(Count("counts/step-invariants-judge", judging_steps.step_invariants_judge),),
     ),
     Claim(
         id="claim/whole-steps",
