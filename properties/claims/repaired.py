@@ -7,7 +7,7 @@ from fractions import Fraction
 
 from properties.claims.claim import Claim, Count, Obligation, Verdict
 from properties.claims.string import name_of, of_rules
-from properties.contracts import instants, judging_steps, step_families, steps, stretches, sweeps
+from properties.contracts import instants, judging_steps, measuring, step_families, steps, stretches, sweeps
 from properties.given import Given
 from properties.worlds.storeys import Member, Setting
 from spec.conditions import STOREYS_START
@@ -237,6 +237,17 @@ CLAIMS: tuple[Claim, ...] = (
         premises=(),
         expected=TESTED,
         counts=(Count("counts/step-invariants-judge", judging_steps.step_invariants_judge),),
+    ),
+    Claim(
+        id="claim/storeys-are-measured",
+        family="reference",
+        sentence="In each world of a bank of storeys, distances, grounds and neighbours are what they are to be.",
+        source="6.2.1; R12, R19, R24",
+        about="world",
+        profile=REPAIRED,
+        premises=(),
+        expected=TESTED,
+        counts=(Count("counts/storeys-are-measured", measuring.storeys_are_measured),),
     ),
     Claim(
         id="claim/whole-steps",
