@@ -35,7 +35,10 @@ EXAMPLES, ROWS = 100, "rows: random"
 SLOW = ("stretches/stretches-keep-apart", "stretches/settling-keeps-apart")
 LONG = frozenset({"differences-have-causes"})
 KEPT = "what the witness broke is kept"
-SECONDS, SECONDS_OF_A_COUNT = 6, 20
+SECONDS, MORE_SECONDS = 6, 30
+"""After how many seconds of the processor what is tried on a mutant does not end; and after how many a count, and what is
+explored of the true rules, also where others slow it down.
+"""
 
 
 class DoesNotEnd(KeyboardInterrupt):
@@ -130,10 +133,10 @@ def facts_of(name: str) -> Facts:
     return Facts(frozenset(map(called, seen)), said)
 
 
-def explored(name: str) -> Exploration:
+def explored(name: str, seconds: int = SECONDS) -> Exploration:
     """Explore an obligation up to a counterexample, unless that does not end."""
     seen: list[Exploration] = []
-    with ended(), watched_by(seen.append):
+    with ended(seconds), watched_by(seen.append):
         explore(programs()[name])
     return seen[0]
 
@@ -145,7 +148,7 @@ def said_by(exploration: Exploration) -> tuple[str, ...]:
 
 def interface(name: str) -> tuple[str, ...]:
     """The names of all that an obligation assumes and draws."""
-    return said_by(explored(name))
+    return said_by(explored(name, MORE_SECONDS))
 
 
 def attempt(name: str) -> Kill | None:
@@ -230,7 +233,7 @@ def counted(claim: Claim) -> tuple[Count, ...]:
 def miscounted(name: str) -> tuple[str, ...]:
     """What a count finds wrong."""
     try:
-        with ended(SECONDS_OF_A_COUNT):
+        with ended(MORE_SECONDS):
             counts()[name]()
     except (AssertionError, GuardError, Endless, FormatError) as error:
         return (str(error),)
