@@ -83,8 +83,13 @@ def compared(parts: tuple[tuple[Variable, Known], ...], constant: Known, relatio
 
 def sum_of(parts: Iterable[tuple[Variable, Known]], constant: Known) -> z3.ArithRef:
     """The solver's term of a sum."""
-    terms = [z3.Q(factor.numerator, factor.denominator) * variable(name) for name, factor in parts]
-    return z3.Sum([*terms, z3.Q(constant.numerator, constant.denominator)])
+    terms = [variable(name) if factor == 1 else numeral(factor) * variable(name) for name, factor in parts]
+    return z3.Sum([*terms, numeral(constant)])
+
+
+def numeral(number: Known) -> z3.RatNumRef:
+    """The solver's term of a known number."""
+    return z3.RealVal(str(number))
 
 
 def term_of(number: Any) -> z3.ArithRef:
