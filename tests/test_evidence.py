@@ -65,7 +65,7 @@ FLOORS_OF_VERDICTS = {
         step-instants step-split step-mirror whole-steps requests-end-alike
     """,
     TESTED: """
-        rule-count invariants-judge
+        rule-count invariants-judge step-invariants-judge
         queries-of-a-push queries-at-transitions long-strings walls-reached-exactly every-rule-fires
         step-body-order step-riders step-furthest step-out-of-reach differences-have-causes witnesses-mended
         no-energy-gained no-energy-gained/repaired stopping-way stopping-way/repaired invariants-at-any-velocity
