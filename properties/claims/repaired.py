@@ -7,7 +7,7 @@ from fractions import Fraction
 
 from properties.claims.claim import Claim, Obligation, Verdict
 from properties.claims.string import name_of, of_rules
-from properties.contracts import step_families, steps, stretches, sweeps
+from properties.contracts import one_drive, step_families, steps, stretches, sweeps
 from properties.given import Given
 from properties.worlds.storeys import Member, Setting
 from spec.conditions import STOREYS_START
@@ -125,7 +125,12 @@ LOSSES = (
     Setting("two high up", (Member(2, STILL), Member(1, STILL)), (1, 1)),
     Setting("one on another that falls", (Member(2, STILL, 1), Member(1, STILL)), (1,)),
 )
-FROM_START = (stretches.stretches_keep_apart, stretches.what_touches_is_recorded)
+FROM_START = (
+    stretches.stretches_keep_apart,
+    stretches.what_touches_is_recorded,
+    one_drive.supports_are_in_order,
+    one_drive.no_wall_is_between,
+)
 CONTACTS = of_steps(steps.contacts_do_not_close)
 TIMES = (
     *of_steps(stretches.no_event_is_passed_over, stretches.room_is_used_up_in_time),
@@ -138,6 +143,13 @@ ROWS = (
     *(of_way(sweeps.motion_has_causes, ahead) for ahead in Direction),
 )
 ONE_KEY = tuple(of_way(sweeps.nobody_is_faster_than_all_wish, ahead) for ahead in Direction)
+
+FURTHEST = (
+    *(of_way(one_drive.bodies_go_as_far_as_they_may, ahead) for ahead in Direction),
+    *of_steps(one_drive.wishes_go_one_way, one_drive.at_first_nobody_has_gone, one_drive.sums_are_the_closed_form),
+    of_window(one_drive.supports_are_in_order, one_drive.TWO_ON_TWO),
+    of_window(one_drive.no_wall_is_between, WINDOWS[2]),
+)
 
 
 def holds(about: StepInvariant | Relation, expected: Verdict, *obligations: Obligation, long: bool = False) -> Claim:
@@ -174,7 +186,7 @@ CLAIMS: tuple[Claim, ...] = (
     holds(STEP_MIRROR, BOUNDED, *MIRRORED, long=True),
     holds(STEP_BODY_ORDER, TESTED),
     holds(STEP_RIDERS, TESTED),
-    holds(STEP_FURTHEST, TESTED),
+    holds(STEP_FURTHEST, PROVED, *FURTHEST),
     proved(
         "one-step-rule-applies",
         "rules",
