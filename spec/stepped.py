@@ -570,5 +570,18 @@ STEP_FURTHEST = Relation(
     "wish and what the body behind it goes beyond the room between them.",
     "6.2.1c; R20",
 )
+STEP_OUT_OF_REACH = Relation(
+    "invariant/step-out-of-reach",
+    "Bodies that a step cannot reach do not matter: they stay as they are, and without them the others move at the "
+    "same instants, with the same velocities, to the same places.",
+    "7.1.1; R20, E5",
+)
 
-STEP_RELATIONS: tuple[Relation, ...] = (STEP_SPLIT, STEP_MIRROR, STEP_BODY_ORDER, STEP_RIDERS, STEP_FURTHEST)
+STEP_RELATIONS: tuple[Relation, ...] = (
+    STEP_SPLIT,
+    STEP_MIRROR,
+    STEP_BODY_ORDER,
+    STEP_RIDERS,
+    STEP_FURTHEST,
+    STEP_OUT_OF_REACH,
+)

@@ -67,7 +67,7 @@ FLOORS_OF_VERDICTS = {
     TESTED: """
         rule-count invariants-judge
         queries-of-a-push queries-at-transitions long-strings walls-reached-exactly every-rule-fires
-        step-body-order step-riders step-furthest differences-have-causes witnesses-mended
+        step-body-order step-riders step-furthest step-out-of-reach differences-have-causes witnesses-mended
         no-energy-gained no-energy-gained/repaired stopping-way stopping-way/repaired invariants-at-any-velocity
         falls-end cuts-do-not-matter display-rules-fire circles-are-even nobody-drops-unseen
         designs-cost margins-are-for-floats

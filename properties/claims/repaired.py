@@ -26,6 +26,7 @@ from spec.stepped import (
     STEP_NOT_RAISED,
     STEP_ONE_KEY,
     STEP_ORDER,
+    STEP_OUT_OF_REACH,
     STEP_PROGRESS,
     STEP_RIDERS,
     STEP_SEAT,
@@ -175,6 +176,7 @@ CLAIMS: tuple[Claim, ...] = (
     holds(STEP_BODY_ORDER, TESTED),
     holds(STEP_RIDERS, TESTED),
     holds(STEP_FURTHEST, TESTED),
+    holds(STEP_OUT_OF_REACH, TESTED),
     proved(
         "one-step-rule-applies",
         "rules",
