@@ -174,8 +174,8 @@ OF_STOREYS: tuple[Model, ...] = (
         "A contact that is recorded lasts until two neighbours part: until time passes in which the right one moves "
         "faster to the right than the left one, or they have settled on different storeys; two that fall together "
         "stay in contact. A body at a wall is there until time passes in which it moves away, or it changes its "
-        "storey. While they last, no event between the two comes. Records are made anew in each step; what touches when "
-        "bodies have settled is recorded without an event, so that a falling body may close a row round a ring.",
+        "storey. While they last, no event between the two comes. Records are made anew in each step; what touches "
+        "when bodies have settled is recorded without an event, so that a falling body may close a row round a ring.",
         "6.2.1c; R20, R24",
         "repaired-walks-on-mover",
     ),
