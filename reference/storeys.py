@@ -5,7 +5,7 @@ A body's handle is its place in the level's list of bodies. On a ring places are
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 from typing import Generic
@@ -99,6 +99,16 @@ class StoreyWorld(Generic[N]):
         """Where a body is, from border to border."""
         return Interval(self.places[body].left, self.places[body].right)
 
+    def part(self, bodies: Iterable[int]) -> StoreyWorld[N]:
+        """The same world as if there were only some of its bodies: where they move in one, they move in the other."""
+        other = StoreyWorld(self.terrain, self.margin, ())
+        other.places = self.places
+        for body in bodies:
+            other.rows.setdefault(self.places[body].storey, []).append(body)
+        for storey in other.rows:
+            other.order(storey)
+        return other
+
     def with_place(self, place: Place[N]) -> StoreyWorld[N]:
         """The same with one body more, the last."""
         return StoreyWorld(self.terrain, self.margin, [*self.places, place])
@@ -132,7 +142,7 @@ class StoreyWorld(Generic[N]):
 
     def neighbours(self) -> Iterator[tuple[int, int]]:
         """Each body with the next one on its right, if no wall is between them."""
-        for row in self.rows.values():
+        for row in map(self.row, self.storeys()):
             for left, right in zip(row, [*row[1:], *row[:1]], strict=True):
                 follows = self.terrain.circumference is not None or right is not row[0]
                 if follows and left != right and self.free_between(left, right):

@@ -564,10 +564,24 @@ STEP_RIDERS = Relation(
 )
 STEP_FURTHEST = Relation(
     "invariant/step-furthest",
-    "Where one body is driven, all may push and nobody changes its support, each body goes as far as it wishes or is "
-    "pushed, and as far as walls allow: on a line the least of what the walls ahead allow and the greater of its own "
-    "wish and what the body behind it goes beyond the room between them.",
+    "Where one body is driven, all may push, nobody changes its support, and no terrain is between the supports of "
+    "bodies that have none between them, each goes as far as it wishes or is pushed, and as far as walls allow: on a "
+    "line the least of what the walls ahead allow and the greater of its own wish and what the body behind it goes "
+    "beyond the room between them.",
     "6.2.1c; R20",
 )
+STEP_OUT_OF_REACH = Relation(
+    "invariant/step-out-of-reach",
+    "Bodies that a step cannot reach do not matter: they stay as they are, and without them the others move at the "
+    "same instants, with the same velocities, to the same places.",
+    "7.1.1; R20, E5",
+)
 
-STEP_RELATIONS: tuple[Relation, ...] = (STEP_SPLIT, STEP_MIRROR, STEP_BODY_ORDER, STEP_RIDERS, STEP_FURTHEST)
+STEP_RELATIONS: tuple[Relation, ...] = (
+    STEP_SPLIT,
+    STEP_MIRROR,
+    STEP_BODY_ORDER,
+    STEP_RIDERS,
+    STEP_FURTHEST,
+    STEP_OUT_OF_REACH,
+)

@@ -7,7 +7,16 @@ from fractions import Fraction
 
 from properties.claims.claim import Claim, Count, Obligation, Verdict
 from properties.claims.string import name_of, of_rules
-from properties.contracts import instants, judging_steps, measuring, step_families, steps, stretches, sweeps
+from properties.contracts import (
+    instants,
+    judging_steps,
+    measuring,
+    one_drive,
+    step_families,
+    steps,
+    stretches,
+    sweeps,
+)
 from properties.given import Given
 from properties.worlds.storeys import Member, Setting
 from spec.conditions import STOREYS_START
@@ -26,6 +35,7 @@ from spec.stepped import (
     STEP_NOT_RAISED,
     STEP_ONE_KEY,
     STEP_ORDER,
+    STEP_OUT_OF_REACH,
     STEP_PROGRESS,
     STEP_RIDERS,
     STEP_SEAT,
@@ -129,6 +139,8 @@ FROM_START = (
     stretches.stretches_keep_apart,
     stretches.what_touches_is_recorded,
     instants.no_time_changes_nothing,
+    one_drive.supports_are_in_order,
+    one_drive.no_wall_is_between,
 )
 CONTACTS = of_steps(steps.contacts_do_not_close)
 TIMES = (
@@ -147,6 +159,13 @@ ROWS = (
     *(of_way(sweeps.motion_has_causes, ahead) for ahead in Direction),
 )
 ONE_KEY = tuple(of_way(sweeps.nobody_is_faster_than_all_wish, ahead) for ahead in Direction)
+
+FURTHEST = (
+    *(of_way(one_drive.bodies_go_as_far_as_they_may, ahead) for ahead in Direction),
+    *of_steps(one_drive.wishes_go_one_way, one_drive.at_first_nobody_has_gone, one_drive.sums_are_the_closed_form),
+    of_window(one_drive.supports_are_in_order, one_drive.TWO_ON_TWO),
+    of_window(one_drive.no_wall_is_between, WINDOWS[2]),
+)
 
 
 def holds(about: StepInvariant | Relation, expected: Verdict, *obligations: Obligation, long: bool = False) -> Claim:
@@ -183,7 +202,8 @@ CLAIMS: tuple[Claim, ...] = (
     holds(STEP_MIRROR, BOUNDED, *MIRRORED, long=True),
     holds(STEP_BODY_ORDER, TESTED),
     holds(STEP_RIDERS, TESTED),
-    holds(STEP_FURTHEST, TESTED),
+    holds(STEP_FURTHEST, PROVED, *FURTHEST),
+    holds(STEP_OUT_OF_REACH, TESTED),
     proved(
         "one-step-rule-applies",
         "rules",

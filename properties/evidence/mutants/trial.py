@@ -36,8 +36,8 @@ SLOW = ("stretches/stretches-keep-apart", "stretches/settling-keeps-apart")
 LONG = frozenset({"differences-have-causes"})
 KEPT = "what the witness broke is kept"
 SECONDS, MORE_SECONDS = 6, 30
-"""After how many seconds of the processor what is tried on a mutant does not end; and after how many a count, and what is
-explored of the true rules, also where others slow it down.
+"""After how many seconds of the processor what is tried on a mutant does not end; and after how many a count, or what
+is explored of the true rules, which may be slowed down by others.
 """
 
 
