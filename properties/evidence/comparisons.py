@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from properties.closed_form import furthest
+from properties.closed_form import furthest, supports_in_one_row
 from properties.evidence.courses import Ties, drive
 from properties.strategies.storeys import Outing
 from properties.worlds.changes import Drives, backwards, chosen, mirrored
@@ -117,10 +117,14 @@ def until_one_comes_down(course: Course[Any], storey: int) -> tuple[Any, Any]:
 
 
 def in_closed_form(outing: Outing, course: Course[Any]) -> bool:
-    """Whether there is a closed form: one drive, on a line, all may push, and nobody changes its support."""
+    """Whether there is a closed form: one drive, on a line, all may push, nobody changes its support, and no terrain is
+    between the supports of a row.
+    """
     driven = sum(1 for drive in outing.drives if drive.speed)
     plain = driven == 1 and outing.terrain.circumference is None and all(place.pushes for place in outing.places)
-    return plain and all(
+    if not plain or not supports_in_one_row(outing.world()):
+        return False
+    return all(
         one.after.support(body) == place.support and one.after.storey(body) == place.storey
         for one in course.stretches
         for body, place in enumerate(outing.places)
