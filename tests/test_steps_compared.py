@@ -117,7 +117,7 @@ FAULTS = {
         "it is as fast ahead",
     ),
     "who is squeezed goes on": Fault(
-        "meet", "row/squeezed", goes_right, "parting/who-is-beyond-is-as-fast (right)", "it is as fast ahead"
+        "meet", "row/squeezed", goes_right, "parting/who-is-beyond-is-as-fast (right)", "it passes on the same again"
     ),
     "a wall throws back": Fault(
         "way",
