@@ -11,6 +11,7 @@ from properties.claims import (
     landings,
     ledges,
     repaired,
+    steps_compared,
     string,
     velocity,
 )
@@ -20,6 +21,7 @@ CLAIMS: tuple[Claim, ...] = (
     *string.CLAIMS,
     *ledges.CLAIMS,
     *repaired.CLAIMS,
+    *steps_compared.CLAIMS,
     *comparison.CLAIMS,
     *velocity.CLAIMS,
     *display.CLAIMS,
