@@ -38,7 +38,8 @@ def displacements(world: World[Any], body: int, direction: Direction, asked: Any
 def furthest(world: StoreyWorld[Any], drives: Mapping[int, Drive[Any]], duration: Any) -> dict[int, Any]:
     """How far each body moves in a step on a line in which one is driven, all may push and nobody changes its support.
 
-    Displacements are signed, positive to the right. They are found storey by storey upwards, and row by row.
+    The supports of each row are to be in one row (`supports_in_one_row`). Displacements are signed, positive to the
+    right. They are found storey by storey upwards, and row by row.
     """
     (driven,) = [body for body, drive in drives.items() if drive.speed]
     sign = 1 if drives[driven].speed > 0 else -1
@@ -65,6 +66,15 @@ def free_rows(world: StoreyWorld[Any], storey: int) -> list[list[int]]:
         else:
             found.append([body])
     return found
+
+
+def supports_in_one_row(world: StoreyWorld[Any]) -> bool:
+    """Whether, where no terrain is between bodies, none is between the bodies that they stand on.
+
+    Else one that is pushed stops when a wall stops the support of who pushes it, and goes on when its own support does.
+    """
+    rows = [set(row) for storey in world.storeys() for row in free_rows(world, storey)]
+    return all(sum(1 for below in rows if any(world.support(body) in below for body in row)) <= 1 for row in rows)
 
 
 def wish(world: StoreyWorld[Any], body: int, drive: Drive[Any], duration: Any, found: Mapping[int, Any]) -> Any:

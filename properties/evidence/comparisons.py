@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from properties.closed_form import furthest
+from properties.closed_form import furthest, supports_in_one_row
 from properties.evidence.courses import Ties, drive
 from properties.strategies.storeys import Outing
 from properties.worlds.changes import Drives, backwards, chosen, mirrored
@@ -117,10 +117,14 @@ def until_one_comes_down(course: Course[Any], storey: int) -> tuple[Any, Any]:
 
 
 def in_closed_form(outing: Outing, course: Course[Any]) -> bool:
-    """Whether there is a closed form: one drive, on a line, all may push, and nobody changes its support."""
+    """Whether there is a closed form: one drive, on a line, all may push, nobody changes its support, and no terrain is
+    between the supports of a row.
+    """
     driven = sum(1 for drive in outing.drives if drive.speed)
     plain = driven == 1 and outing.terrain.circumference is None and all(place.pushes for place in outing.places)
-    return plain and all(
+    if not plain or not supports_in_one_row(outing.world()):
+        return False
+    return all(
         one.after.support(body) == place.support and one.after.storey(body) == place.storey
         for one in course.stretches
         for body, place in enumerate(outing.places)
@@ -137,12 +141,12 @@ def furthest_alike(rules: StepRules, outing: Outing, course: Course[Any]) -> boo
 
 def in_reach(outing: Outing, course: Course[Any]) -> Collection[int]:
     """The bodies that a step can reach."""
-    world, drives = held(course.before), course.stretches[0].drives
+    world, drives = surveyed(course.before), course.stretches[0].drives
     driven = {body: drive for body, drive in drives.items() if drive.speed or not drive.relative}
     return Reach(Scene(world), driven, type(world.margin)(outing.duration)).ways
 
 
-def held(world: Survey[Any]) -> StoreyWorld[Any]:
+def surveyed(world: Survey[Any]) -> StoreyWorld[Any]:
     """A world that an invariant surveys, as the reference has it."""
     assert isinstance(world, StoreyWorld)
     return world
@@ -150,14 +154,14 @@ def held(world: Survey[Any]) -> StoreyWorld[Any]:
 
 def rest_does_not_count(rules: StepRules, outing: Outing, course: Course[Any]) -> bool:
     """With those in reach only, all is the same at each instant, to the bit, and the rest stand still."""
-    bodies, world, first = in_reach(outing, course), held(course.before), course.stretches[0]
+    bodies, world, first = in_reach(outing, course), surveyed(course.before), course.stretches[0]
     drives = {body: first.drives[body] for body in bodies}
     alone = drive(rules, world.part(bodies), drives, type(world.margin)(outing.duration), first.tolerance)
     still = dict.fromkeys(first.drives, world.margin * 0)
     return len(course.stretches) == len(alone.stretches) and all(
         one.lasted == other.lasted
         and one.velocities == {**still, **other.velocities}
-        and held(one.after).places == held(other.after).places
+        and surveyed(one.after).places == surveyed(other.after).places
         for one, other in zip(course.stretches, alone.stretches, strict=True)
     )
 

@@ -39,7 +39,14 @@ from properties.evidence.mutants.mutant import Mutant
 from properties.evidence.mutants.outings import STEPPED
 from properties.evidence.mutants.record import Kills, Record
 from properties.evidence.mutants.rules import of_rules, of_steps
-from properties.evidence.mutants.stepped import kill_of_judge
+from properties.evidence.mutants.stepped import (
+    BANK_OF_STEPS,
+    STEP,
+    crash_of_judge,
+    judged_otherwise,
+    kill_of_judge,
+    of_judges,
+)
 from properties.evidence.mutants.trial import (
     CRASHING,
     Facts,
@@ -78,6 +85,7 @@ GROUPS: dict[str, Callable[[], dict[str, Mutant]]] = {
     "contracts": of_contracts,
     "obligations": of_obligations,
     "invariants": of_invariants,
+    "stepped": of_judges,
     "engine": of_engine,
 }
 WRONG = ("rules", "steps", "worlds", "contracts")
@@ -155,7 +163,7 @@ def kills_of(known: Known, group: str, name: str) -> tuple[Kill, ...]:
     if group == "obligations":
         return one_or_none(kill_of_obligation(mutant, known.kills, known.calls, known.premises))
     if group == "stepped":
-        return one_or_none(kill_of_judge(mutant, known.kills))
+        return one_or_none(kill_of_judge(mutant))
     with mutant.in_place():
         if group == "invariants":
             return tuple(Kill(BANK, (wrong,)) for wrong in miscounted(BANK))
@@ -207,6 +215,8 @@ def again(premises: Mapping[str, tuple[str, ...]], group: str, name: str, kill: 
     with beside, GROUPS[group]()[name].in_place():
         if kill.broken == (PREMISES,):
             return kill.broken if interface(kill.by) != premises[kill.by] else ()
+        if kill.by == BANK_OF_STEPS:
+            return judged_otherwise(str(kill.values[STEP]))
         if kill.by == "test":
             return failed_tests(*kill.broken)
         if kill.by.startswith("count: "):
@@ -246,9 +256,11 @@ def set_aside(known: Known, group: str, name: str) -> str | None:
         return f"{CHANGES_NO_ANSWER}: {ARGUED[name]}"
     if group == "invariants":
         return count_crash(mutant, BANK)
+    if group == "stepped":
+        return crash_of_judge(mutant)
     if group == "engine":
         return crashing_tests(mutant)
-    if group in ("steps", "worlds", "stepped"):
+    if group in ("steps", "worlds"):
         with mutant.in_place():
             crash = outings.crash_in_storeys()
         crashes = f"{CRASHING}: {crash}" if crash else crash_of(mutant, known.calls)
