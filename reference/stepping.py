@@ -137,12 +137,16 @@ class StepGame(Generic[N]):
     def __post_init__(self) -> None:
         """Set the level up."""
         self.plan = plan_of(self.level)
-        self.storeys = self.plan.start()
-        self.scene = Scene(self.storeys)
+        self.scene = Scene(self.plan.start())
         self.shown: World[N] | None = World(self.level)
         self.names = [body.name for body in self.level.bodies]
         self.happened: tuple[Happened[N], ...] = ()
         self.speeds: Mapping[int, N] = {}
+
+    @property
+    def storeys(self) -> StoreyWorld[N]:
+        """The bodies on their storeys, where they are now."""
+        return self.scene.world
 
     @property
     def world(self) -> World[N]:
@@ -211,8 +215,7 @@ class StepGame(Generic[N]):
 
     def go_on(self, level: Level[N], storeys: StoreyWorld[N]) -> list[Fulfilled[N]]:
         """Go on with other bodies, which settle."""
-        self.level, self.plan = level, replace(self.plan, level=level)
-        self.storeys, self.scene = storeys, Scene(storeys)
+        self.level, self.plan, self.scene = level, replace(self.plan, level=level), Scene(storeys)
         self.names = [body.name for body in level.bodies]
         return self.step({}, zero_like(level.margin))
 
