@@ -102,6 +102,23 @@ def run(
     return moments, record
 
 
+def run_in_reach(
+    rules: StepRules, scene: Scene[N], driven: Mapping[int, Drive[N]], duration: N, most: int = MOST_CHOSEN
+) -> tuple[list[Moment[N]], Chosen]:
+    """Drive some bodies of a scene for a time; those whom that cannot reach stay, and are not looked at.
+
+    Raises:
+        Endless: if rules are chosen more than `most` times.
+    """
+    reached = Reach(scene, driven, duration).ways
+    still = dict.fromkeys(reached, Drive(zero_like(duration)))
+    part = scene.take_out(reached)
+    try:
+        return run(rules, part, {**still, **driven}, duration, most)
+    finally:
+        scene.put_back(part)
+
+
 def told(names: list[str], duration: N, moments: list[Moment[N]]) -> Iterator[Happened[N]]:
     """What came in a step, in order, each with the time since its start and the velocities up to it."""
     for moment in moments:
@@ -221,7 +238,8 @@ class StepGame(Generic[N]):
 
     def step(self, driven: Mapping[int, Drive[N]], duration: N) -> list[Fulfilled[N]]:
         """Drive some bodies for a time; what fired is told with the first of them."""
-        moments, record = self.run(driven, duration)
+        self.shown = None
+        moments, record = run_in_reach(self.profile.rules, self.scene, driven, duration, self.most)
         self.speeds = moments[-1].velocities
         movers = {body for moment in moments for body, speed in moment.velocities.items() if speed * moment.moved}
         fired = tuple((self.names[body], rule) for body, rule in record.told({*driven, *movers}))
@@ -234,16 +252,6 @@ class StepGame(Generic[N]):
             results.append(Fulfilled(self.names[body], asked, moved, fired, max(1, len(movers)), work))
             fired, work = (), {}
         return results
-
-    def run(self, driven: Mapping[int, Drive[N]], duration: N) -> tuple[list[Moment[N]], Chosen]:
-        """Run a step on those whom it can reach; all others stay as they are."""
-        self.shown, reached = None, Reach(self.scene, driven, duration).ways
-        drives = {**dict.fromkeys(reached, Drive(zero_like(duration))), **driven}
-        part = self.scene.take_out(reached)
-        try:
-            return run(self.profile.rules, part, drives, duration, self.most)
-        finally:
-            self.scene.put_back(part)
 
 
 Driven = tuple[dict[int, Drive[N]], N]

@@ -17,7 +17,7 @@ from properties.evidence.sample_steps import course_of
 from properties.strategies.storeys import outing
 from properties.worlds.changes import in_floats
 from reference.scene import Reach, Scene
-from reference.stepping import run
+from reference.stepping import run_in_reach
 from reference.storeys import Place, StoreyWorld, Terrain
 from spec.graph import Direction
 from spec.profiles import REPAIRED
@@ -28,16 +28,6 @@ ONE, STILL = Fraction(1), Drive(Fraction(0))
 WALK = Drive(ONE, relative=False)
 WORLDS = range(200, 330)
 QUESTIONS = ("storeys", "row", "storey", "support", "pushes", "neighbours", "gap", "to_wall", "to_loss", "holds")
-
-
-def step(scene, driven, duration):
-    """Drive the bodies of a scene; return who was reached, and what was chosen."""
-    reached = Reach(scene, driven, duration).ways
-    part = scene.take_out(reached)
-    drives = {**dict.fromkeys(reached, Drive(duration * 0)), **driven}
-    _, record = run(REPAIRED.rules, part, drives, duration)
-    scene.put_back(part)
-    return set(reached), record.chosen
 
 
 def touched():
@@ -63,8 +53,8 @@ def counted(monkeypatch, bystanders):
     with monkeypatch.context() as patch:
         for name in QUESTIONS:
             patch.setattr(StoreyWorld, name, noting(asked, name, getattr(StoreyWorld, name)))
-        found = step(scene, {0: WALK}, Fraction(6))
-    return *found, asked
+        moments, record = run_in_reach(REPAIRED.rules, scene, {0: WALK}, Fraction(6))
+    return set(moments[0].velocities), record.chosen, asked
 
 
 def noting(asked, name, question):
@@ -97,7 +87,7 @@ def test_a_scene_after_steps_is_as_one_made_anew(seed):
             body, speed = random.randrange(len(world.places)) if world.places else None, random.choice((-2, -1, 1, 2))
             kind = type(world.margin)
             driven = {} if body is None else {body: Drive(kind(speed), random.random() < 0.5)}
-            step(scene, driven, kind(trial.duration) / 4)
+            run_in_reach(REPAIRED.rules, scene, driven, kind(trial.duration) / 4)
             fresh = Scene(StoreyWorld(world.terrain, world.margin, world.places))
             assert {storey: row for storey, row in world.rows.items() if row} == fresh.world.rows
             assert {body: some for body, some in scene.riders.items() if some} == fresh.riders
