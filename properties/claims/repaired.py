@@ -12,6 +12,7 @@ from properties.contracts import (
     judging_steps,
     measuring,
     one_drive,
+    reach,
     step_families,
     steps,
     stretches,
@@ -154,6 +155,7 @@ ROWS = (
     *of_steps(steps.wishes_are_of_drives, steps.squeezed_bodies_stand, sweeps.speeds_meet_once),
     *(of_way(sweeps.motion_has_causes, ahead) for ahead in Direction),
 )
+REACH = (*of_steps(reach.wishes_add_one_drive), *(of_way(reach.rows_add_no_speed, ahead) for ahead in Direction))
 ONE_KEY = tuple(of_way(sweeps.nobody_is_faster_than_all_wish, ahead) for ahead in Direction)
 
 FURTHEST = (
@@ -238,6 +240,17 @@ CLAIMS: tuple[Claim, ...] = (
         "most, and of equals the first in the level's order.",
         "6.2.1e; R22, R25, A21, A23",
         steps.tops_are_chosen,
+    ),
+    Claim(
+        id="claim/drives-add-up",
+        family="steps",
+        sentence="In rows of any length, nobody is faster than its support and the fastest drive in its row, added up.",
+        source="4.2, 4.4; R20, A27",
+        about=STEP_OUT_OF_REACH.id,
+        profile=REPAIRED,
+        premises=(),
+        expected=PROVED,
+        obligations=REACH,
     ),
     Claim(
         id="claim/step-invariants-judge",
