@@ -11,6 +11,7 @@ from properties.claims import (
     landings,
     ledges,
     repaired,
+    rounding,
     string,
     velocity,
 )
@@ -27,4 +28,5 @@ CLAIMS: tuple[Claim, ...] = (
     *features.CLAIMS,
     *enough.CLAIMS,
     *landings.CLAIMS,
+    *rounding.CLAIMS,
 )
