@@ -17,9 +17,9 @@ from properties.contracts.request import any_round, seen_by, stand_in
 from properties.contracts.strings import GAPS_FIT, border_and_neighbour, world_with
 from properties.engine.rounded import Machine, Rounded
 from properties.given import Given
-from reference.world import Facing
-from spec.body import EdgePosition, Level
-from spec.conditions import EDGES_LONG, IN_ORDER
+from reference.world import Facing, World
+from spec.body import EdgePosition
+from spec.conditions import EDGES_LONG
 from spec.graph import Direction
 from spec.invariants import equal
 from spec.number import greater
@@ -97,14 +97,17 @@ def any_scene(given: Given, direction: Direction, closed: bool, last: bool) -> S
         gap, length = exact.gap(exact.front(0), 1), exact.world.rows[0].length
         given.assume((gap <= free) & (gap >= 0), GAPS_FIT)
         given.assume(free + LITTLE <= length, WIDER)
-    view = world_with(held_by(machine, level), Rounded(machine, free)).facing(direction)
-    given.assume(view.world.beside(0, direction) == 1, IN_ORDER.id)
-    return Scene(machine, exact, view)
+    return Scene(machine, exact, held_by(machine, exact.world, free).facing(direction))
 
 
-def held_by(machine: Machine, level: Level[Any]) -> Level[Any]:
-    """A level whose numbers a machine holds."""
-    return with_numbers(level, lambda number: Rounded(machine, number), lambda slope: slope)
+def held_by(machine: Machine, exact: World[Any], free: Any) -> World[Any]:
+    """A world as a machine holds it: it lays out the edges itself; the order of the bodies is known."""
+    level = with_numbers(exact.level, lambda number: Rounded(machine, number), lambda slope: slope)
+    world = World(replace(level, bodies=()))
+    world.bodies, (row,) = list(level.bodies), world.rows
+    row.order, row.place = exact.rows[0].order, exact.rows[0].place
+    row.free = Rounded(machine, free) if row.closed else None
+    return world
 
 
 def segment_is_nearly_exact(
