@@ -31,7 +31,7 @@ FLOORS_OF_VERDICTS = {
     PROVED: """
         no-overlap order termination rigid-width on-graph at-most-asked direction bystanders as-far-as-possible
         closed-form determinism additive translation one-rule-applies leaves-only-beyond no-jump-leads-up
-        mirror edge-split full-circle margins-over-time order-over-time world-is-lawful
+        mirror edge-split full-circle margins-over-time order-over-time world-is-lawful nearly-exact
         landing-keeps-width stays-in-wall near-jump-edges landing-position landing-position/overshoot
         long-edges-fit
         one-step-rule-applies contacts-do-not-close squeezed-bodies-stand speeds-are-wished
@@ -65,7 +65,7 @@ FLOORS_OF_VERDICTS = {
         step-instants whole-steps requests-end-alike
     """,
     TESTED: """
-        rule-count invariants-judge step-invariants-judge storeys-are-measured
+        rule-count invariants-judge step-invariants-judge storeys-are-measured long-rows-need-more losses-add-up
         queries-of-a-push queries-at-transitions long-strings walls-reached-exactly every-rule-fires
         step-out-of-reach differences-have-causes witnesses-mended
         no-energy-gained no-energy-gained/repaired stopping-way stopping-way/repaired invariants-at-any-velocity
