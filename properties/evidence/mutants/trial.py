@@ -98,7 +98,7 @@ def ended(seconds: int = SECONDS) -> Iterator[None]:
 
 
 def is_tried(obligation: Obligation) -> bool:
-    """Whether mutants are tried on an obligation: it speaks of any number of bodies and edges, and is not one of many."""
+    """Whether mutants are tried on an obligation: it is about any number of bodies, and is not one of very many."""
     return obligation.shape is None and not obligation.id.startswith(MANY)
 
 
