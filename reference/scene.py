@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from bisect import bisect_left, bisect_right
 from collections.abc import Iterable, Iterator, Mapping
+from functools import cached_property
+from itertools import pairwise
 from typing import Generic
 
 from reference.storeys import StoreyWorld, around
@@ -84,12 +86,6 @@ class Scene(Generic[N]):
         """The distance from a body to the next one in a direction."""
         return self.world.gap(body, ahead) if direction is Direction.RIGHT else self.world.gap(ahead, body)
 
-    def under(self, body: int, beside: N) -> Iterator[int]:
-        """The bodies on lower storeys that are under a body, or beside that by no more than a distance."""
-        for storey in self.world.rows:
-            if storey < self.world.storey(body):
-                yield from self.between(storey, self.left(body) - beside, self.right(body) + beside)
-
     def between(self, storey: int, left: N, right: N) -> Iterator[int]:
         """The bodies of a storey of which some part is between two places."""
         row, round_ = self.world.rows[storey], self.world.circumference
@@ -114,12 +110,15 @@ class Reach(Generic[N]):
     Attributes:
         most: how far anybody may move, and more than any rounding besides.
         ways: how far each body may move to each side; who is not in it stays, and is met by nobody.
+        looked: on each storey, between which places it was last looked who is there that one may come down to.
     """
 
     def __init__(self, scene: Scene[N], driven: Mapping[int, Drive[N]], duration: N) -> None:
         """Find those whom drives for a time may reach."""
         self.scene, self.most = scene, most_moved(scene.world, driven, duration)
+        self.anywhere = dict.fromkeys(Direction, self.most)
         self.ways: dict[int, dict[Direction, N]] = {}
+        self.looked: dict[int, tuple[N, N]] = {}
         self.steadily: dict[int, bool] = {}
         self.waiting: list[int] = []
         for body, drive in driven.items():
@@ -148,9 +147,8 @@ class Reach(Generic[N]):
 
     def free(self, body: int) -> None:
         """Let a body move as far as anybody, to both sides."""
-        anywhere = dict.fromkeys(Direction, self.most)
-        if self.ways.get(body) != anywhere:
-            self.ways[body] = anywhere
+        if self.ways.get(body) is not self.anywhere:
+            self.ways[body] = self.anywhere
             self.waiting.append(body)
 
     def go_on(self, body: int) -> None:
@@ -163,8 +161,29 @@ class Reach(Generic[N]):
         for rider in self.scene.riders.get(body, ()):
             self.free(rider)
         if not self.stays(body):
-            for below in self.scene.under(body, self.most * 2 + self.scene.world.margin):
+            self.come_down(body, self.most * 2 + self.scene.world.margin)
+
+    def come_down(self, body: int, beside: N) -> None:
+        """Let a body come down to all who are under it, or no further beside that."""
+        left, right = self.scene.left(body) - beside, self.scene.right(body) + beside
+        storey = self.lower.get(self.scene.world.storey(body))
+        while storey is not None and not self.has_looked(storey, left, right):
+            self.looked[storey] = left, right
+            for below in self.scene.between(storey, left, right):
                 self.free(below)
+            storey = self.lower.get(storey)
+
+    def has_looked(self, storey: int, left: N, right: N) -> bool:
+        """Whether it is known who is on a storey, and on all below, between two places."""
+        if storey not in self.looked:
+            return False
+        last_left, last_right = self.looked[storey]
+        return bool(last_left <= left) and bool(right <= last_right)
+
+    @cached_property
+    def lower(self) -> dict[int, int]:
+        """For each storey on which bodies stand, the next one below it."""
+        return {upper: lower for lower, upper in pairwise(self.scene.world.storeys())}
 
     def stays(self, body: int) -> bool:
         """Whether a body is on ground that it does not lose, however far it moves."""

@@ -102,6 +102,23 @@ def run(
     return moments, record
 
 
+def run_in_reach(
+    rules: StepRules, scene: Scene[N], driven: Mapping[int, Drive[N]], duration: N, most: int = MOST_CHOSEN
+) -> tuple[list[Moment[N]], Chosen]:
+    """Drive some bodies of a scene for a time; those whom that cannot reach stay, and are not looked at.
+
+    Raises:
+        Endless: if rules are chosen more than `most` times.
+    """
+    reached = Reach(scene, driven, duration).ways
+    still = dict.fromkeys(reached, Drive(zero_like(duration)))
+    part = scene.take_out(reached)
+    try:
+        return run(rules, part, {**still, **driven}, duration, most)
+    finally:
+        scene.put_back(part)
+
+
 def told(names: list[str], duration: N, moments: list[Moment[N]]) -> Iterator[Happened[N]]:
     """What came in a step, in order, each with the time since its start and the velocities up to it."""
     for moment in moments:
@@ -137,12 +154,16 @@ class StepGame(Generic[N]):
     def __post_init__(self) -> None:
         """Set the level up."""
         self.plan = plan_of(self.level)
-        self.storeys = self.plan.start()
-        self.scene = Scene(self.storeys)
+        self.scene = Scene(self.plan.start())
         self.shown: World[N] | None = World(self.level)
         self.names = [body.name for body in self.level.bodies]
         self.happened: tuple[Happened[N], ...] = ()
         self.speeds: Mapping[int, N] = {}
+
+    @property
+    def storeys(self) -> StoreyWorld[N]:
+        """The bodies on their storeys, where they are now."""
+        return self.scene.world
 
     @property
     def world(self) -> World[N]:
@@ -211,14 +232,14 @@ class StepGame(Generic[N]):
 
     def go_on(self, level: Level[N], storeys: StoreyWorld[N]) -> list[Fulfilled[N]]:
         """Go on with other bodies, which settle."""
-        self.level, self.plan = level, replace(self.plan, level=level)
-        self.storeys, self.scene = storeys, Scene(storeys)
+        self.level, self.plan, self.scene = level, replace(self.plan, level=level), Scene(storeys)
         self.names = [body.name for body in level.bodies]
         return self.step({}, zero_like(level.margin))
 
     def step(self, driven: Mapping[int, Drive[N]], duration: N) -> list[Fulfilled[N]]:
         """Drive some bodies for a time; what fired is told with the first of them."""
-        moments, record = self.run(driven, duration)
+        self.shown = None
+        moments, record = run_in_reach(self.profile.rules, self.scene, driven, duration, self.most)
         self.speeds = moments[-1].velocities
         movers = {body for moment in moments for body, speed in moment.velocities.items() if speed * moment.moved}
         fired = tuple((self.names[body], rule) for body, rule in record.told({*driven, *movers}))
@@ -231,16 +252,6 @@ class StepGame(Generic[N]):
             results.append(Fulfilled(self.names[body], asked, moved, fired, max(1, len(movers)), work))
             fired, work = (), {}
         return results
-
-    def run(self, driven: Mapping[int, Drive[N]], duration: N) -> tuple[list[Moment[N]], Chosen]:
-        """Run a step on those whom it can reach; all others stay as they are."""
-        self.shown, reached = None, Reach(self.scene, driven, duration).ways
-        drives = {**dict.fromkeys(reached, Drive(zero_like(duration))), **driven}
-        part = self.scene.take_out(reached)
-        try:
-            return run(self.profile.rules, part, drives, duration, self.most)
-        finally:
-            self.scene.put_back(part)
 
 
 Driven = tuple[dict[int, Drive[N]], N]

@@ -11,6 +11,7 @@ from properties.claims import (
     landings,
     ledges,
     repaired,
+    rounding,
     steps_compared,
     string,
     velocity,
@@ -29,4 +30,5 @@ CLAIMS: tuple[Claim, ...] = (
     *features.CLAIMS,
     *enough.CLAIMS,
     *landings.CLAIMS,
+    *rounding.CLAIMS,
 )

@@ -7,7 +7,17 @@ from fractions import Fraction
 
 from properties.claims.claim import Claim, Count, Obligation, Verdict
 from properties.claims.string import name_of, of_rules
-from properties.contracts import instants, judging_steps, one_drive, step_families, steps, stretches, sweeps
+from properties.contracts import (
+    instants,
+    judging_steps,
+    measuring,
+    one_drive,
+    reach,
+    step_families,
+    steps,
+    stretches,
+    sweeps,
+)
 from properties.given import Given
 from properties.worlds.storeys import Member, Setting
 from spec.conditions import STOREYS_START
@@ -145,6 +155,7 @@ ROWS = (
     *of_steps(steps.wishes_are_of_drives, steps.squeezed_bodies_stand, sweeps.speeds_meet_once),
     *(of_way(sweeps.motion_has_causes, ahead) for ahead in Direction),
 )
+REACH = (*of_steps(reach.wishes_add_one_drive), *(of_way(reach.rows_add_no_speed, ahead) for ahead in Direction))
 ONE_KEY = tuple(of_way(sweeps.nobody_is_faster_than_all_wish, ahead) for ahead in Direction)
 
 FURTHEST = (
@@ -231,6 +242,17 @@ CLAIMS: tuple[Claim, ...] = (
         steps.tops_are_chosen,
     ),
     Claim(
+        id="claim/drives-add-up",
+        family="steps",
+        sentence="In rows of any length, nobody is faster than its support and the fastest drive in its row, added up.",
+        source="4.2, 4.4; R20, A27",
+        about=STEP_OUT_OF_REACH.id,
+        profile=REPAIRED,
+        premises=(),
+        expected=PROVED,
+        obligations=REACH,
+    ),
+    Claim(
         id="claim/step-invariants-judge",
         family="work",
         sentence="Of each step of a bank of right and wrong ones, each invariant says what is to be said of it.",
@@ -240,6 +262,17 @@ CLAIMS: tuple[Claim, ...] = (
         premises=(),
         expected=TESTED,
         counts=(Count("counts/step-invariants-judge", judging_steps.step_invariants_judge),),
+    ),
+    Claim(
+        id="claim/storeys-are-measured",
+        family="reference",
+        sentence="In each world of a bank of storeys, distances, grounds and neighbours are what they are to be.",
+        source="6.2.1; R12, R19, R24",
+        about="world",
+        profile=REPAIRED,
+        premises=(),
+        expected=TESTED,
+        counts=(Count("counts/storeys-are-measured", measuring.storeys_are_measured),),
     ),
     Claim(
         id="claim/whole-steps",

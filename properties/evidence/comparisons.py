@@ -141,12 +141,12 @@ def furthest_alike(rules: StepRules, outing: Outing, course: Course[Any]) -> boo
 
 def in_reach(outing: Outing, course: Course[Any]) -> Collection[int]:
     """The bodies that a step can reach."""
-    world, drives = held(course.before), course.stretches[0].drives
+    world, drives = surveyed(course.before), course.stretches[0].drives
     driven = {body: drive for body, drive in drives.items() if drive.speed or not drive.relative}
     return Reach(Scene(world), driven, type(world.margin)(outing.duration)).ways
 
 
-def held(world: Survey[Any]) -> StoreyWorld[Any]:
+def surveyed(world: Survey[Any]) -> StoreyWorld[Any]:
     """A world that an invariant surveys, as the reference has it."""
     assert isinstance(world, StoreyWorld)
     return world
@@ -154,14 +154,14 @@ def held(world: Survey[Any]) -> StoreyWorld[Any]:
 
 def rest_does_not_count(rules: StepRules, outing: Outing, course: Course[Any]) -> bool:
     """With those in reach only, all is the same at each instant, to the bit, and the rest stand still."""
-    bodies, world, first = in_reach(outing, course), held(course.before), course.stretches[0]
+    bodies, world, first = in_reach(outing, course), surveyed(course.before), course.stretches[0]
     drives = {body: first.drives[body] for body in bodies}
     alone = drive(rules, world.part(bodies), drives, type(world.margin)(outing.duration), first.tolerance)
     still = dict.fromkeys(first.drives, world.margin * 0)
     return len(course.stretches) == len(alone.stretches) and all(
         one.lasted == other.lasted
         and one.velocities == {**still, **other.velocities}
-        and held(one.after).places == held(other.after).places
+        and surveyed(one.after).places == surveyed(other.after).places
         for one, other in zip(course.stretches, alone.stretches, strict=True)
     )
 
