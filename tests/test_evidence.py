@@ -40,7 +40,7 @@ FLOORS_OF_VERDICTS = {
         rest-is-kept-by-friction rest-is-kept-by-friction/repaired velocities-ask-for-their-way
         coefficient-of-friction coefficient-of-friction/repaired minimum-stops minimum-stops/repaired
         velocity-after-a-move velocity-after-a-move/repaired
-        tops-are-chosen step-furthest
+        tops-are-chosen step-furthest step-instants-of-one rows-are-monotone
         step-margin step-terrain step-support step-seat step-order step-motion step-not-raised step-bystanders
         step-progress step-squeezed step-one-key
         one-display-rule-applies falls-are-smooth falls-arrive shown-upon-support turns-are-smooth centres-are-lawful

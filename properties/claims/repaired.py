@@ -7,7 +7,7 @@ from fractions import Fraction
 
 from properties.claims.claim import Claim, Obligation, Verdict
 from properties.claims.string import name_of, of_rules
-from properties.contracts import one_drive, step_families, steps, stretches, sweeps
+from properties.contracts import instants, one_drive, step_families, steps, stretches, sweeps
 from properties.given import Given
 from properties.worlds.storeys import Member, Setting
 from spec.conditions import STOREYS_START
@@ -20,6 +20,7 @@ from spec.stepped import (
     STEP_BYSTANDERS,
     STEP_FURTHEST,
     STEP_INSTANTS,
+    STEP_INSTANTS_OF_ONE,
     STEP_MARGIN,
     STEP_MIRROR,
     STEP_MOTION,
@@ -130,6 +131,8 @@ FROM_START = (
     stretches.what_touches_is_recorded,
     one_drive.supports_are_in_order,
     one_drive.no_wall_is_between,
+    instants.who_keeps_up_keeps_its_support,
+    instants.what_is_lost_stays_lost,
 )
 CONTACTS = of_steps(steps.contacts_do_not_close)
 TIMES = (
@@ -150,6 +153,20 @@ FURTHEST = (
     of_window(one_drive.supports_are_in_order, one_drive.TWO_ON_TWO),
     of_window(one_drive.no_wall_is_between, WINDOWS[2]),
 )
+
+MONOTONE = (
+    *(of_way(instants.faster_wishes_pass_on_no_less, ahead) for ahead in Direction),
+    *(of_way(instants.faster_wishes_slow_nobody, ahead) for ahead in Direction),
+    *of_steps(instants.contacts_that_open_do_nothing),
+    *(of_way(instants.walls_that_are_left_do_nothing, ahead) for ahead in Direction),
+)
+ON_ANOTHER = WINDOWS[7]
+KEPT = (
+    *of_steps(instants.what_stands_stays_recorded),
+    of_window(instants.who_keeps_up_keeps_its_support, ON_ANOTHER),
+    of_window(instants.what_is_lost_stays_lost, ON_ANOTHER),
+)
+OF_ONE = (*CONTACTS, *ROWS, *ONE_KEY, *KEPT, *of_steps(one_drive.wishes_go_one_way), *SETTLED)
 
 
 def holds(about: StepInvariant | Relation, expected: Verdict, *obligations: Obligation, long: bool = False) -> Claim:
@@ -182,6 +199,7 @@ CLAIMS: tuple[Claim, ...] = (
     *(holds(invariant, PROVED, *ROWS) for invariant in (STEP_BYSTANDERS, STEP_PROGRESS, STEP_SQUEEZED)),
     holds(STEP_ONE_KEY, PROVED, *ROWS, *ONE_KEY),
     holds(STEP_INSTANTS, BOUNDED, *WHOLE_STEPS, long=True),
+    holds(STEP_INSTANTS_OF_ONE, PROVED, *OF_ONE),
     holds(STEP_SPLIT, BOUNDED, *SPLIT, long=True),
     holds(STEP_MIRROR, BOUNDED, *MIRRORED, long=True),
     holds(STEP_BODY_ORDER, TESTED),
@@ -206,6 +224,19 @@ CLAIMS: tuple[Claim, ...] = (
         "a wall.",
         "6.2.1b, 6.2.1c; R19, R20, R24",
         steps.contacts_do_not_close,
+    ),
+    Claim(
+        id="claim/rows-are-monotone",
+        family="steps",
+        sentence="In a row of any length that does not close, who wishes to go faster to the right makes nobody slower to "
+        "the right, and a contact that opens, or a wall that is left, changes no velocity.",
+        source="6.2.1c; R20",
+        about="row/pushed",
+        profile=REPAIRED,
+        premises=(),
+        expected=PROVED,
+        obligations=MONOTONE,
+        long=True,
     ),
     proved(
         "squeezed-bodies-stand",
