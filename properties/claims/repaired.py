@@ -228,8 +228,8 @@ CLAIMS: tuple[Claim, ...] = (
     Claim(
         id="claim/rows-are-monotone",
         family="steps",
-        sentence="In a row of any length that does not close, who wishes to go faster to the right makes nobody slower to "
-        "the right, and a contact that opens, or a wall that is left, changes no velocity.",
+        sentence="In a row of any length that does not close, who wishes to go faster to the right makes nobody slower "
+        "to the right, and a contact that opens, or a wall that is left, changes no velocity.",
         source="6.2.1c; R20",
         about="row/pushed",
         profile=REPAIRED,
