@@ -24,7 +24,7 @@ from properties.claims.repaired import (
     of_window,
 )
 from properties.closed_form import furthest, supports_in_one_row
-from properties.contracts import instants, one_drive, stretches
+from properties.contracts import endings, one_drive, stretches
 from properties.contracts.request import judged
 from properties.engine.explore import explore
 from properties.evidence.courses import drive
@@ -111,37 +111,16 @@ FAULTS = {
 }
 
 
-def half_pulled(way):
-    """A speed, half of the way up to that of a faster one ahead: wrong."""
-    return way.speed if way.ahead is None else (way.speed + way.ahead) * Fraction(1, 2)
-
-
-def slowed_by_any_wall(meeting):
-    """The member, with half of its wish if a wall is beside it: wrong."""
-    member = meeting.member
-    return replace(member, wish=member.wish * Fraction(1, 2)) if member.walls else member
-
-
 FAULTS |= {
     "who is fast stops behind a slower one": Fault(
-        "way", "way/slower", standstill, "instants/faster-wishes-slow-nobody (right)", "it goes no slower"
+        "way", "way/slower", standstill, "endings/faster-wishes-slow-nobody (right)", "it goes no slower"
     ),
     "who is faster passes less on": Fault(
         "relay",
         "row/passes-on",
         lambda relay: relay.speed if relay.speed <= 1 else relay.speed * 0,
-        "instants/faster-wishes-pass-on-no-less (left)",
+        "endings/faster-wishes-pass-on-no-less (left)",
         "no less goes on",
-    ),
-    "who is in contact is pulled along": Fault(
-        "way", "way/open", half_pulled, "instants/contacts-that-open-do-nothing", "it goes as it would alone"
-    ),
-    "a wall slows who goes away from it": Fault(
-        "meet",
-        "row/one-way",
-        slowed_by_any_wall,
-        "instants/walls-that-are-left-do-nothing (right)",
-        "it goes as it would without",
     ),
 }
 
@@ -175,20 +154,15 @@ def test_who_falls_next_to_another_without_looking_is_refuted(monkeypatch):
     assert "invariant/step-margin" in broken(of_window(stretches.settling_keeps_apart, LOSSES[0]), wrong)
 
 
-def test_a_step_that_forgets_what_stands_or_loses_what_keeps_up_is_refuted(monkeypatch):
-    recorded = RESTS["instants/what-stands-stays-recorded"]
-    monkeypatch.setattr(instants, "lasting", lambda ways, marks: set())
-    assert "the contact is kept" in broken(recorded)
-    monkeypatch.setattr(instants, "lasting", lambda ways, marks: marks)
-    assert "but not if it opens" in broken(recorded)
-    monkeypatch.setattr(instants, "losses", lambda world, speeds: step.losses(world, {**speeds, 0: speeds[0] * 0}))
-    kept = RESTS["instants/who-keeps-up-keeps-its-support (one on another)"]
+def test_a_step_in_which_one_loses_what_it_keeps_up_with_is_refuted(monkeypatch):
+    monkeypatch.setattr(endings, "losses", lambda world, speeds: step.losses(world, {**speeds, 0: speeds[0] * 0}))
+    kept = RESTS["endings/who-keeps-up-keeps-its-support (one on another)"]
     assert "it does not come nearer to its loss" in broken(kept)
 
 
 def test_a_world_that_says_too_early_that_a_support_is_lost_is_refuted(monkeypatch):
     right = StoreyWorld.to_loss
-    lost = RESTS["instants/what-is-lost-stays-lost (one on another)"]
+    lost = RESTS["endings/what-is-lost-stays-lost (one on another)"]
     assert broken(lost) == ()
     monkeypatch.setattr(StoreyWorld, "to_loss", lambda self, body, way: right(self, body, way) - self.margin)
     assert "it is not held" in broken(lost)

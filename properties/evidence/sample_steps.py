@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from fractions import Fraction
 from typing import Any
 
-from properties.evidence.comparisons import COMPARISONS, in_closed_form
+from properties.evidence.comparisons import COMPARISONS, IN_FLOATS_TOO, in_closed_form, in_reach
 from properties.evidence.courses import drive
 from properties.evidence.sample import FLOAT_TOLERANCE, ONE_RULE, Campaign, Sampling
 from properties.strategies.storeys import Outing, outings
@@ -34,11 +34,12 @@ FLOORS = {
     "one key": 0.1,
     "one that may not push": 0.2,
     "a closed form": 0.08,
+    "one is out of reach": 0.1,
 }
 
 
 def failing(profile: SteppedProfile, outing: Outing, floats: bool, seen: Campaign) -> list[str]:
-    """The properties of a step that fail on an outing; steps are compared in exact numbers only."""
+    """The properties of a step that fail on an outing; most comparisons are in exact numbers only."""
     record = Chosen(MOST_CHOSEN)
     rules = profile.rules.through(lambda family: Noted(family, record))
     try:
@@ -46,7 +47,7 @@ def failing(profile: SteppedProfile, outing: Outing, floats: bool, seen: Campaig
         fired = {rule for _, rule in record.fired}
         seen.shares.update({*fired, *features(outing, course, fired)})
         broken = [invariant.id for invariant in OF_ONE_STEP if not invariant.holds(course)]
-        compared = [] if floats else COMPARISONS
+        compared = IN_FLOATS_TOO if floats else (*COMPARISONS, *IN_FLOATS_TOO)
         return broken + [one.id for one in compared if not one.holds(profile.rules, outing, course)]
     except GuardError:
         return [ONE_RULE]
@@ -89,6 +90,7 @@ def features(outing: Outing, course: Course[Any], fired: set[str]) -> Iterator[s
         "one key": key_of(outing.drives_by_body) is not None,
         "one that may not push": not all(place.pushes for place in outing.places),
         "a closed form": in_closed_form(outing, course),
+        "one is out of reach": len(in_reach(outing, course)) < len(outing.places),
     }
     yield from (name for name, there in found.items() if there)
 
