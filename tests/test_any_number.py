@@ -24,7 +24,7 @@ from properties.claims.repaired import (
     of_window,
 )
 from properties.closed_form import furthest, supports_in_one_row
-from properties.contracts import endings, one_drive, stretches
+from properties.contracts import endings, growth, one_drive, stretches
 from properties.contracts.request import judged
 from properties.engine.explore import explore
 from properties.evidence.courses import drive
@@ -215,6 +215,12 @@ def test_a_wall_between_supports_leaves_who_was_pushed_ahead_of_the_closed_form(
     assert course.after.span(5).left - places[5].left == 4
     assert furthest(world, drives, 5 * one)[5] == 2
     assert not supports_in_one_row(world)
+
+
+def test_other_numbers_of_instants_than_those_of_towers_are_noticed():
+    carried = with_effect("wish", "wish/plane", lambda urge: urge.drive.speed + urge.carried)
+    with pytest.raises(AssertionError, match="2 carriers, boxes and riders"):
+        growth.instants_grow_as_a_cube(carried)
 
 
 class Storey:

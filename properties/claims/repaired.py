@@ -9,6 +9,7 @@ from properties.claims.claim import Claim, Count, Obligation, Verdict
 from properties.claims.string import name_of, of_rules
 from properties.contracts import (
     endings,
+    growth,
     instants,
     judging_steps,
     measuring,
@@ -236,6 +237,22 @@ CLAIMS: tuple[Claim, ...] = (
         steps.contacts_do_not_close,
     ),
     Claim(
+        id="claim/instants-grow",
+        family="steps",
+        sentence="With several drives, the instants of a step may grow as the cube of its bodies: a tower of N "
+        "carriers, N boxes and N riders has N³ - N² + N + 1 of them, and one of 32 bodies more than 33 times 33.",
+        source="6.2.1; R17",
+        about=STEP_INSTANTS.id,
+        profile=REPAIRED,
+        premises=(),
+        expected=TESTED,
+        counts=tuple(
+            Count(name_of(program), program)
+            for program in (growth.instants_grow_as_a_cube, growth.instants_exceed_the_square)
+        ),
+        long=True,
+    ),
+    Claim(
         id="claim/rows-are-monotone",
         family="steps",
         sentence="In a row of any length that does not close, who wishes to go faster to the right makes nobody slower "
@@ -246,7 +263,6 @@ CLAIMS: tuple[Claim, ...] = (
         premises=(),
         expected=PROVED,
         obligations=MONOTONE,
-        long=True,
     ),
     proved(
         "squeezed-bodies-stand",
