@@ -80,7 +80,7 @@ class Noted:
         """Return the rule that applies, recorded."""
         rule = self.family.choose(facts)
         self.record.count()
-        if not rule.id.startswith(COMING):
+        if rule.id not in COMING:
             self.record.fired[facts.body, rule.id] = None
         return rule
 
