@@ -211,9 +211,9 @@ class StoreyWorld(Generic[N]):
         start = zero_like(place.left) if direction is Direction.RIGHT else place.width * -1
         reach, round_ = start, self.terrain.circumference
         for ground in sorted(self.grounds(place, direction), key=lambda ground: ground.left):
-            if ground.left < reach + place.width and ground.right > reach:
-                reach = ground.right
-        return None if round_ is not None and reach - start >= round_ else reach - start
+            if ground.left < reach + place.width:
+                reach = greater(reach, ground.right)
+        return None if round_ is not None and reach >= round_ else reach - start
 
     def grounds(self, place: Place[N], direction: Direction) -> Iterator[Interval[N]]:
         """The grounds of a storey seen from a body's left border in a direction; on a ring as far as twice round.

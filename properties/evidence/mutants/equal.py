@@ -16,6 +16,7 @@ from properties.engine.explore import explore
 from properties.evidence.mutants.mutant import Mutant
 from properties.evidence.mutants.trial import SAME
 from properties.given import HAS_LENGTH, HAS_WIDTH, Given
+from reference.storeys import without
 from spec.graph import Direction, EdgeType
 from spec.plane import Box, box, negated, terrain
 from spec.profiles import REPAIRED
@@ -118,6 +119,13 @@ def pieces_and_walls(mutant: Mutant, given: Given) -> None:
     promise_alike(given, mutant, lambda: [end for one in beside_wall(piece, wall) for end in (one.left, one.right)])
 
 
+def pieces_and_cuts(mutant: Mutant, given: Given) -> None:
+    """Any piece of terrain, and any other that is cut out of it."""
+    piece, cut = any_interval(given, "the piece"), any_interval(given, "the cut")
+    ask = partial(without, piece, cut.left, cut.right)
+    promise_alike(given, mutant, lambda: [end for one in ask() for end in (one.left, one.right)])
+
+
 def any_interval(given: Given, name: str) -> Interval[Any]:
     """Any interval that has a length."""
     left, length = given.number(f"{name}: left"), given.number(f"{name}: length")
@@ -154,6 +162,8 @@ EQUAL: dict[str, Callable[[Mutant, Given], None]] = {
     "stepped.beside_wall: wall.right < piece.left instead of wall.right <= piece.left": pieces_and_walls,
     "stepped.beside_wall: wall.left > piece.right instead of wall.left >= piece.right": pieces_and_walls,
     "stepped.one_speed: key > zero_like(key) instead of key >= zero_like(key)": keys_of_any_speed,
+    "storeys.without: right < piece.left instead of right <= piece.left": pieces_and_cuts,
+    "storeys.without: left > piece.right instead of left >= piece.right": pieces_and_cuts,
     "event.time_left: nearing.room instead of greater(nearing.room, zero_like(nearing.room))": what_comes_nearer,
 }
 
