@@ -50,6 +50,7 @@ FLOORS_OF_VERDICTS = {
         step-progress step-squeezed step-one-key step-mirror step-split step-body-order step-riders
     """,
     BOUNDED: """
+        step-nearly-exact
         proxy-on-level-ground whole-rows terrain plane-apart-of-two horizontal-alone
         supports-end never-raised height-kept
         supports-end/overshoot never-raised/overshoot height-kept/overshoot
