@@ -221,7 +221,7 @@ class Ways:
 
 def moves(far: Array) -> Array:
     """Who goes anywhere."""
-    return (far > 0) | (far < 0)  # type: ignore[no-any-return]
+    return (far > 0) | (far < 0)
 
 
 def ways(layout: Layout, left: Array, own: Array, relative: Array) -> Ways:
@@ -253,10 +253,10 @@ def differ(groups: Array, values: Array, many: int) -> Array:
 
 def several_speeds(level: Array, speed: Array) -> Array:
     """Who is driven at another speed than another body of its level."""
-    driven = moves(speed)
-    one = np.zeros(1 + level.max(initial=-1), speed.dtype)
+    driven, one = moves(speed), np.zeros(1 + level.max(initial=-1), speed.dtype)
     one[level[driven]] = speed[driven]
-    return driven & (speed != one[level])
+    other: Array = speed != one[level]
+    return driven & other
 
 
 def sweep(layout: Layout, storey: Storey, left: Array, wish: Array, found: Ways) -> None:
@@ -279,9 +279,10 @@ def sweep(layout: Layout, storey: Storey, left: Array, wish: Array, found: Ways)
 
 def to_walls(layout: Layout, left: Array, those: slice, direction: Direction) -> Array:
     """How far bodies are from the walls on one side."""
-    if direction is Direction.RIGHT:
-        return layout.edges[1, those] - (left[those] + layout.width[those])  # type: ignore[no-any-return]
-    return left[those] - layout.edges[0, those]
+    left_walls, right_walls = layout.edges[:2, those]
+    right = left[those] + layout.width[those]
+    room: Array = right_walls - right if direction is Direction.RIGHT else left[those] - left_walls
+    return room
 
 
 def accumulate(operation: np.ufunc, values: Array, storey: Storey, direction: Direction) -> None:
@@ -306,15 +307,20 @@ def lost(layout: Layout, left: Array, found: Ways, holding_on: Array, slack: Any
     room_left = left[riders] + (width[riders] + layout.margin[riders]) - left[on]
     result[riders] = reaches((ahead * 0, ahead, behind), room_left, room, slack)
     far = found.far[fallers]
-    room, room_left = layout.edges[3, fallers] - left[fallers], left[fallers] + width[fallers] - layout.edges[2, fallers]
+    room, room_left = (
+        layout.edges[3, fallers] - left[fallers],
+        left[fallers] + width[fallers] - layout.edges[2, fallers],
+    )
     result[fallers] = reaches((far * 0, far), room_left, room, slack)
     return result
 
 
 def reaches(ways: Sequence[Array], to_left: Array, to_right: Array, slack: Any) -> Array:
     """Whether any of some ways comes as near as a slack to what there is on its side."""
-    found = [(far + slack >= to_right) | (far * -1 + slack >= to_left) for far in ways]
-    return np.logical_or.reduce(found)
+    found: Array = np.logical_or.reduce(
+        [(far + slack >= to_right) | (far * -1 + slack >= to_left) for far in ways],
+    )
+    return found
 
 
 class Batch:
@@ -334,7 +340,7 @@ class Batch:
         self.width = np.array([place.width for place in places], dtype)
         self.margin = np.array([world.margin for world in worlds], dtype)[self.level]
         self.plain = np.array([is_plain(world) for world in worlds])
-        self.standing = {i: standing(worlds[i], dtype) for i in np.flatnonzero(self.plain)}
+        self.standing = {i: standing(worlds[i], dtype) for i in np.flatnonzero(self.plain).tolist()}
         self.layout = self.lay_out()
 
     def lay_out(self) -> Layout:
@@ -361,7 +367,7 @@ class Batch:
         """
         far, fits = self.furthest(drives, durations, slack)
         self.left[self.layout.order] += np.where(fits[self.layout.level], far, 0)
-        changed = [self.by_events(level, drives, durations[level]) for level in np.flatnonzero(~fits)]
+        changed = [self.by_events(level, drives, durations[level]) for level in np.flatnonzero(~fits).tolist()]
         if any(changed):
             self.layout = self.lay_out()
         return fits

@@ -565,9 +565,10 @@ STEP_RIDERS = Relation(
 )
 STEP_FURTHEST = Relation(
     "invariant/step-furthest",
-    "Where one body is driven, all may push and nobody changes its support, each body goes as far as it wishes or is "
-    "pushed, and as far as walls allow: on a line the least of what the walls ahead allow and the greater of its own "
-    "wish and what the body behind it goes beyond the room between them.",
+    "Where all that are driven on a line are driven one way at one speed, in the plane or on what stands, all may push "
+    "and nobody changes its support, each body goes as far as the least of what the walls ahead allow and the greater "
+    "of its own wish and what the body behind it goes beyond the room between them; unless a wall stops what carries "
+    "one of a row, and another of that row is driven, or carried by another row.",
     "6.2.1c; R20",
 )
 

@@ -106,23 +106,14 @@ def until_one_comes_down(course: Course[Any], storey: int) -> tuple[Any, Any]:
     return time, course.after
 
 
-def in_closed_form(outing: Outing, course: Course[Any]) -> bool:
-    """Whether there is a closed form: one drive, on a line, all may push, and nobody changes its support."""
-    driven = sum(1 for drive in outing.drives if drive.speed)
-    plain = driven == 1 and outing.terrain.circumference is None and all(place.pushes for place in outing.places)
-    return plain and all(
-        one.after.support(body) == place.support and one.after.storey(body) == place.storey
+def furthest_alike(rules: StepRules, outing: Outing, course: Course[Any]) -> bool:
+    """Each body is where the closed form has it, on what it stood on, if there is one."""
+    far = furthest(outing.world(), outing.drives_by_body, outing.duration)
+    return far is None or all(
+        course.after.span(body).left == place.left + far[body] and seat(course.after, body) == seat(one.before, body)
         for one in course.stretches
         for body, place in enumerate(outing.places)
     )
-
-
-def furthest_alike(rules: StepRules, outing: Outing, course: Course[Any]) -> bool:
-    """Each body is where the closed form has it, if there is one."""
-    if not in_closed_form(outing, course):
-        return True
-    far = furthest(outing.world(), outing.drives_by_body, outing.duration)
-    return all(course.after.span(body).left - place.left == far[body] for body, place in enumerate(outing.places))
 
 
 COMPARISONS = (
