@@ -1,11 +1,11 @@
 """Many levels of storeys, stepped at once: where a step has a closed form by cumulative operations on arrays, storey by
 storey; from event to event where it has none.
 
-**Rows.** A row is here what is on a storey between two walls, in contact or not. With the widths and margins of those
-before it taken off, the place of a body is the room before it: bodies in contact are at one place, and a wall is as far
-away as what can still be pushed. There, the first of a row comes as far as it wishes, and each other one as far as it
-wishes or the one behind it comes: a cumulative maximum. No body comes farther than the walls ahead of it and of all
-before it allow: a cumulative minimum from the front.
+**Rows.** A row is here what is on a storey between two walls, in contact or not. Let the place of a body be the room
+that there is before it in its row, between all bodies and beyond their margins: bodies in contact are at one place.
+There, the first of a row comes as far as it wishes, and each other one as far as it wishes or the one behind it comes:
+a cumulative maximum. No body comes farther than the walls ahead of it and of all before it allow: a cumulative minimum
+from the front.
 
 **Why that is where events lead.** Let all that are driven be driven one way, at one speed, in the plane or on what does
 not move. Then every velocity is 0 or that speed. A body has come as far as it wished, until it is pushed; it comes
@@ -126,7 +126,6 @@ class Layout:
 
     Attributes:
         order: which bodies they are, of all; all else is in this order.
-        squeezed: what the bodies before one in its row take up, with their margins.
         riders: those that stand on others.
         fallers: those that stand on ground above the floor.
     """
@@ -136,7 +135,6 @@ class Layout:
     row: Array
     width: Array
     margin: Array
-    squeezed: Array
     support: Array
     edges: Array
     storeys: tuple[Storey, ...]
@@ -159,17 +157,12 @@ def lay_out(
     whereabouts[order] = np.arange(len(order))
     rides = (support != bodies)[sort]
     storeys = tuple(storeys_of(storey[sort], place[sort], rides))
-    size, squeezed = (width + margin)[order], np.zeros_like(width[order])
-    for one in storeys:
-        for behind, ahead in one.pairs:
-            squeezed[one.bodies][ahead] = squeezed[one.bodies][behind] + size[one.bodies][behind]
     return Layout(
         order,
         level[order],
         row[sort],
         width[order],
         margin[order],
-        squeezed,
         whereabouts[support[sort]],
         np.concatenate([one.edges for one in found])[sort].T.copy(),
         storeys,
@@ -262,8 +255,7 @@ def several_speeds(level: Array, speed: Array) -> Array:
 def sweep(layout: Layout, storey: Storey, left: Array, wish: Array, found: Ways) -> None:
     """Let the rows of a storey go as far as they wish, are pushed, and walls allow."""
     those = storey.bodies
-    place = left[those] - layout.squeezed[those]
-    accumulate(np.maximum, place, storey, Direction.RIGHT)
+    place = rooms(layout, storey, left)
     for direction in Direction:
         far = wish[those] * direction
         if not np.any(far > 0):
@@ -275,6 +267,15 @@ def sweep(layout: Layout, storey: Storey, left: Array, wish: Array, found: Ways)
         accumulate(np.minimum, allowed, storey, direction.opposite)
         found.far[those] += (np.minimum(pushed, allowed) - start) * direction
         found.stopped[those] |= pushed > allowed
+
+
+def rooms(layout: Layout, storey: Storey, left: Array) -> Array:
+    """The room that there is in all before each body of a storey in its row, from the left."""
+    size, at = (layout.width + layout.margin)[storey.bodies], left[storey.bodies]
+    found = np.zeros_like(at)
+    for one, other in storey.pairs:
+        found[other] = found[one] + np.maximum(at[other] - (at[one] + size[one]), 0)
+    return found
 
 
 def to_walls(layout: Layout, left: Array, those: slice, direction: Direction) -> Array:
@@ -321,6 +322,19 @@ def reaches(ways: Sequence[Array], to_left: Array, to_right: Array, slack: Any) 
         [(far + slack >= to_right) | (far * -1 + slack >= to_left) for far in ways],
     )
     return found
+
+
+def furthest(layout: Layout, left: Array, drives: Drives, durations: Array, slack: Any) -> tuple[Array, Array]:
+    """How far the bodies of a layout go, to the right, and which levels that is so for; places and drives are in order.
+
+    Who comes as near as `slack` to losing its support is as if it lost it.
+    """
+    speed, relative, level = drives.speed, drives.relative, layout.level
+    found = ways(layout, left, speed * durations[level], relative)
+    fits = np.ones(len(durations), bool)
+    fits[level[found.unclear | several_speeds(level, speed)]] = False
+    fits[level[lost(layout, left, found, relative | moves(speed), slack)]] = False
+    return found.far, fits
 
 
 class Batch:
@@ -374,12 +388,11 @@ class Batch:
 
     def furthest(self, drives: Drives, durations: Array, slack: Any = 0) -> tuple[Array, Array]:
         """How far each body of the layout goes, to the right, and which levels that is so for."""
-        layout, fits = self.layout, self.plain.copy()
-        left, speed, relative = self.left[layout.order], drives.speed[layout.order], drives.relative[layout.order]
-        found = ways(layout, left, speed * durations[layout.level], relative)
-        fits[layout.level[found.unclear | several_speeds(layout.level, speed)]] = False
-        fits[layout.level[lost(layout, left, found, relative | moves(speed), slack)]] = False
-        return found.far, fits
+        order = self.layout.order
+        far, fits = furthest(
+            self.layout, self.left[order], Drives(drives.speed[order], drives.relative[order]), durations, slack
+        )
+        return far, fits & self.plain
 
     def by_events(self, level: int, drives: Drives, duration: Any) -> bool:
         """Drive the bodies of a level from event to event; whether any stands otherwise then."""
