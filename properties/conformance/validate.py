@@ -165,7 +165,7 @@ def doubtful(path: Path, log: Recording, referee: Referee, report: Report) -> It
     while texts := list(islice(content, AT_ONCE)):
         certain, done = look.certain([before, *texts], number - 1)[1:], 0
         for place in np.flatnonzero(~certain).tolist():
-            report.found[Finding.AGREES] += place - done
+            report.found += Counter({Finding.AGREES: place - done})
             if place > done or state is None:
                 state = state_of(path, log, texts[place - 1] if place else before, number + place - 1)
             whole = not texts[place].strip() or comes_or_goes(texts[place])
@@ -176,7 +176,7 @@ def doubtful(path: Path, log: Recording, referee: Referee, report: Report) -> It
             if whole:
                 return
             done = place + 1
-        report.found[Finding.AGREES] += len(texts) - done
+        report.found += Counter({Finding.AGREES: len(texts) - done})
         state = state if done == len(texts) else None
         before, number = texts[-1], number + len(texts)
 
