@@ -25,6 +25,7 @@ from msgspec import Meta
 from properties.conformance.stepping import OfSteps
 from reference.batch import Array, Drives, Layout, Standing, furthest, ground_of, is_plain, lay_out, on_ground, standing
 from reference.formats.files import Many, Name
+from reference.formats.numbers import exact
 from reference.formats.scenario import TickRecord
 from reference.formats.trace import Count, LineRecord
 from reference.recording import Recording, state_after, supports_of
@@ -66,7 +67,7 @@ class Asked(Strict):
     """A request."""
 
     body: str
-    distance: float
+    distance: float | str
 
 
 class Key(Strict):
@@ -79,8 +80,8 @@ class Key(Strict):
 class Driven(Strict):
     """A drive."""
 
-    speeds: dict[str, float]
-    time: Annotated[float, Meta(ge=0)]
+    speeds: dict[str, float | str]
+    time: float | str
 
 
 class Moved(Strict):
@@ -227,17 +228,15 @@ class Look:
             return None
         if line.tick is not None:
             return self.keys[line.tick.key]
-        if line.request is not None:
-            if line.request.body not in self.names or abs(line.request.distance) > self.largest:
-                return None
-            speed = -1.0 if line.request.distance < 0 else 1.0
-            return abs(line.request.distance), ((self.names[line.request.body], speed),)
-        assert line.drive is not None
-        if not all(name in self.names for name in line.drive.speeds):
+        try:
+            time, speeds = asked_of(line)
+        except LevelError:
             return None
-        if any(not abs(speed) * line.drive.time <= self.largest for speed in line.drive.speeds.values()):
+        if time < 0 or not all(name in self.names for name in speeds):
             return None
-        return line.drive.time, tuple((self.names[name], speed) for name, speed in line.drive.speeds.items())
+        if not all(abs(speed) * time <= self.largest for speed in speeds.values()):
+            return None
+        return time, tuple((self.names[name], speed) for name, speed in speeds.items())
 
     def model(self, text: bytes) -> Model | None:
         """How the bodies stand after a line."""
@@ -322,6 +321,24 @@ class Look:
         )
 
 
+def asked_of(line: Line) -> tuple[Any, dict[str, Any]]:
+    """How long whom to drive how fast a request or a drive is.
+
+    Raises:
+        LevelError: if a number is none.
+    """
+    if line.request is not None:
+        distance = number(line.request.distance)
+        return abs(distance), {line.request.body: -1 if distance < 0 else 1}
+    assert line.drive is not None
+    return number(line.drive.time), {name: number(speed) for name, speed in line.drive.speeds.items()}
+
+
+def number(value: float | str) -> Any:
+    """A number of a line."""
+    return value if isinstance(value, float) else extended(exact(value, "$"))
+
+
 def is_between(world: StoreyWorld[Fraction], place: Place[Fraction], by: Fraction) -> bool:
     """Whether a body so nearly fits into a gap of its ground that it may as well fit."""
     if not on_ground(place):
@@ -330,15 +347,9 @@ def is_between(world: StoreyWorld[Fraction], place: Place[Fraction], by: Fractio
     return one != other
 
 
-def extended(number: Fraction) -> Any:
-    """A number with at least 64 bits.
-
-    Raises:
-        OverflowError: if it has too many digits.
-    """
-    if max(abs(number.numerator), number.denominator) >= 2**MANTISSA:
-        raise OverflowError
-    return Extended(number.numerator) / Extended(number.denominator)
+def extended(value: Fraction) -> Any:
+    """A number with at least 64 bits."""
+    return Extended(value.numerator) / Extended(value.denominator)
 
 
 def look_of(log: Recording, referee: OfSteps) -> Look | None:
@@ -360,12 +371,7 @@ def look_of(log: Recording, referee: OfSteps) -> Look | None:
     seats = [ground.get(edge, -1) for edge in range(statics)] + [
         len(ground) + body for body in range(len(level.bodies))
     ]
-    try:
-        starts = [extended(level.graph.vertices[edge.left].x) for edge in level.graph.edges]
-        keys = {key: key_wish(level, TickRecord(key)) for key in KEYS}
-        numbers = [extended(number) for number in (level.margin, most, off, error)]
-    except OverflowError:
-        return None
+    starts = [extended(level.graph.vertices[edge.left].x) for edge in level.graph.edges]
     return Look(
         log,
         referee,
@@ -374,8 +380,8 @@ def look_of(log: Recording, referee: OfSteps) -> Look | None:
         np.array(seats),
         np.array([*starts, *(Extended(0) for _ in level.bodies)]),
         np.array([not body.speed for body in level.bodies]),
-        keys,
-        *numbers,
+        {key: key_wish(level, TickRecord(key)) for key in KEYS},
+        *(extended(one) for one in (level.margin, most, off, error)),
     )
 
 
