@@ -1,8 +1,8 @@
 """Closed forms of a request and of a step, in numpy: other formulations, to hold the rules against.
 
-That of a step is the one by which `reference.batch` steps. Of a request: with `rooms` the clear distances along the
-chain beyond the margin, and `end` the distance from its last body to the wall or to what counts as one, the mover goes
-as far as all of that, and the body after the j-th room goes what that exceeds the rooms before it.
+Of a request: with `rooms` the clear distances along the chain beyond the margin, and `end` the distance from its last
+body to the wall or to what counts as one, the mover goes as far as all of that, and the body after the j-th room goes
+what that exceeds the rooms before it.
 """
 
 from __future__ import annotations
@@ -37,8 +37,67 @@ def displacements(world: World[Any], body: int, direction: Direction, asked: Any
     return {held: max(most * 0, most - before) for held, before in zip(chain, used, strict=False)}
 
 
-def furthest(world: StoreyWorld[Any], drives: Mapping[int, Drive[Any]], duration: Any) -> dict[int, Any] | None:
-    """How far each body goes in a step, positive to the right; None if that has no closed form."""
+def furthest(world: StoreyWorld[Any], drives: Mapping[int, Drive[Any]], duration: Any) -> dict[int, Any]:
+    """How far each body moves in a step on a line in which one is driven, all may push and nobody changes its support.
+
+    The supports of each row are to be in one row (`supports_in_one_row`). Displacements are signed, positive to the
+    right. They are found storey by storey upwards, and row by row.
+    """
+    (driven,) = [body for body, drive in drives.items() if drive.speed]
+    sign = 1 if drives[driven].speed > 0 else -1
+    direction = Direction.RIGHT if sign > 0 else Direction.LEFT
+    found: dict[int, Any] = {}
+    for storey in world.storeys():
+        for row in free_rows(world, storey)[::sign]:
+            bodies = row[::sign]
+            wishes = [wish(world, body, drives[body], duration, found) * sign for body in bodies]
+            pairs = pairwise(bodies) if sign > 0 else (pair[::-1] for pair in pairwise(bodies))
+            rooms = [world.gap(*pair) - world.margin for pair in pairs]
+            walls = [world.to_wall(body, direction) for body in bodies]
+            found.update((b, far * sign) for b, far in zip(bodies, along_row(wishes, rooms, walls), strict=True))
+    return found
+
+
+def free_rows(world: StoreyWorld[Any], storey: int) -> list[list[int]]:
+    """The bodies of a storey of a line from left to right, cut where terrain is between them."""
+    pairs = set(world.neighbours())
+    found: list[list[int]] = []
+    for body in world.row(storey):
+        if found and (found[-1][-1], body) in pairs:
+            found[-1].append(body)
+        else:
+            found.append([body])
+    return found
+
+
+def supports_in_one_row(world: StoreyWorld[Any]) -> bool:
+    """Whether, where no terrain is between bodies, none is between the bodies that they stand on.
+
+    Else one that is pushed stops when a wall stops the support of who pushes it, and goes on when its own support does.
+    """
+    rows = [set(row) for storey in world.storeys() for row in free_rows(world, storey)]
+    return all(sum(1 for below in rows if any(world.support(body) in below for body in row)) <= 1 for row in rows)
+
+
+def wish(world: StoreyWorld[Any], body: int, drive: Drive[Any], duration: Any, found: Mapping[int, Any]) -> Any:
+    """How far a body goes if nothing is in its way: by its drive, and by what carries it."""
+    support = world.support(body)
+    return drive.speed * duration + (found[support] if drive.relative and support is not None else 0)
+
+
+def along_row(wishes: list[Any], rooms: list[Any], walls: list[Any]) -> Any:
+    """How far each of a row goes, from behind: cumulative maxima of wishes, minima of what walls allow.
+
+    With the rooms behind it added, what a body goes and what it passes on are in one measure.
+    """
+    used = np.concatenate([[wishes[0] * 0], np.cumsum(np.array(rooms, dtype=object))])
+    pushed = np.maximum.accumulate(np.array([max(one, one * 0) for one in wishes], dtype=object) + used)
+    allowed = np.minimum.accumulate((np.array(walls, dtype=object) + used)[::-1])[::-1]
+    return np.minimum(pushed, allowed) - used
+
+
+def by_batch(world: StoreyWorld[Any], drives: Mapping[int, Drive[Any]], duration: Any) -> dict[int, Any] | None:
+    """How far each body moves in a step if a batch has a closed form of that, positive to the right; else None."""
     batch = Batch([world], REPAIRED.rules)
     far, fits = batch.furthest(drives_of([drives]), np.array([duration]))
     return dict(zip(batch.layout.order.tolist(), far, strict=True)) if fits[0] else None

@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 from difflib import get_close_matches
-from functools import cache
+from functools import cache, singledispatch
 from inspect import getdoc
 from os.path import relpath
 from pathlib import Path
@@ -129,34 +129,70 @@ def last_run(claim: Claim) -> Iterator[str]:
 def facts(statement: Statement) -> Iterator[Fact]:
     """All about a statement but what it says."""
     yield Fact("source", statement.source)
-    if isinstance(statement, Rule):
-        yield from of_rule(statement)
-    elif isinstance(statement, Claim):
-        yield from of_claim(statement)
-    elif isinstance(statement, Profile | SteppedProfile):
-        yield from (Fact(one.kind, f"{one.id}: {one.sentence}") for one in text_of(statement))
-        if isinstance(statement, SteppedProfile):
-            yield from (Fact("unlike thesis", f"{one.id}: {one.sentence}") for one in DIFFERENCES)
-    elif isinstance(statement, Model | Difference):
-        yield Fact("seen in scenario", statement.scenario)
-        yield replay(LIBRARY / "scenarios" / f"{statement.scenario}.json")
-    elif isinstance(statement, Evaluated):
-        yield Fact("judgement", statement.judgement.value)
-        yield Fact("measured in", f"docs/evaluation.md#{statement.section}")
-    elif isinstance(statement, Reading):
-        yield Fact("others could read", statement.others)
-        yield from (Fact("alternative", f"{one.id}: {one.sentence}") for one in ALTERNATIVES if one.of == statement.id)
-        if statement.scenario:
-            yield replay(LIBRARY / "scenarios" / f"{statement.scenario}.json")
-    elif isinstance(statement, Case | LevelCase | ChangeCase):
-        yield Fact("where", said(statement.happened if isinstance(statement, Case) else statement.found))
-    elif isinstance(statement, Erratum):
-        yield from of_erratum(statement)
-    elif isinstance(statement, Alternative):
-        yield Fact("instead of", f"{statement.of}: {everything()[statement.of].sentence}")
+    yield from of_kind(statement)
     yield from claims_about(statement)
 
 
+@singledispatch
+def of_kind(statement: Any) -> Iterator[Fact]:
+    """What there is to say of one kind of statement: of most, nothing."""
+    yield from ()
+
+
+@of_kind.register
+def of_profile(statement: Profile) -> Iterator[Fact]:
+    """Its models, rules and readings."""
+    yield from (Fact(one.kind, f"{one.id}: {one.sentence}") for one in text_of(statement))
+
+
+@of_kind.register
+def of_stepped_profile(statement: SteppedProfile) -> Iterator[Fact]:
+    """Its models, rules and readings, and what differs from the thesis."""
+    yield from (Fact(one.kind, f"{one.id}: {one.sentence}") for one in text_of(statement))
+    yield from (Fact("unlike thesis", f"{one.id}: {one.sentence}") for one in DIFFERENCES)
+
+
+@of_kind.register
+def of_seen(statement: Model | Difference) -> Iterator[Fact]:
+    """The scenario in which it is seen."""
+    yield from seen_in(statement.scenario)
+
+
+@of_kind.register
+def of_evaluated(statement: Evaluated) -> Iterator[Fact]:
+    """What was measured."""
+    yield Fact("judgement", statement.judgement.value)
+    yield Fact("measured in", f"docs/evaluation.md#{statement.section}")
+
+
+@of_kind.register(Reading)
+def of_reading(statement: Reading[Any]) -> Iterator[Fact]:
+    """What others could read, and a scenario in which that would matter."""
+    yield Fact("others could read", statement.others)
+    yield from (Fact("alternative", f"{one.id}: {one.sentence}") for one in ALTERNATIVES if one.of == statement.id)
+    if statement.scenario:
+        yield replay(LIBRARY / "scenarios" / f"{statement.scenario}.json")
+
+
+@of_kind.register
+def of_case(statement: Case) -> Iterator[Fact]:
+    """Where it happens."""
+    yield Fact("where", said(statement.happened))
+
+
+@of_kind.register
+def of_case_of_places(statement: LevelCase | ChangeCase) -> Iterator[Fact]:
+    """Where it is found."""
+    yield Fact("where", said(statement.found))
+
+
+@of_kind.register
+def of_alternative(statement: Alternative) -> Iterator[Fact]:
+    """What it is read instead of."""
+    yield Fact("instead of", f"{statement.of}: {everything()[statement.of].sentence}")
+
+
+@of_kind.register
 def of_erratum(erratum: Erratum) -> Iterator[Fact]:
     """The printed rules, the scenario in which it is seen, what it refutes, what holds instead, and what shows that."""
     table = everything()
@@ -165,8 +201,13 @@ def of_erratum(erratum: Erratum) -> Iterator[Fact]:
         yield from (Fact(label, f"{name}: {table[name].sentence}") for name in names)
     if not erratum.mended:
         yield Fact("mended", "no: kept on purpose")
-    yield Fact("seen in scenario", erratum.witness)
-    yield replay(LIBRARY / "scenarios" / f"{erratum.witness}.json")
+    yield from seen_in(erratum.witness)
+
+
+def seen_in(scenario: str) -> Iterator[Fact]:
+    """A scenario, and how to play it."""
+    yield Fact("seen in scenario", scenario)
+    yield replay(LIBRARY / "scenarios" / f"{scenario}.json")
 
 
 def replay(path: Path) -> Fact:
@@ -179,6 +220,7 @@ def said(thing: Any) -> str:
     return (getdoc(thing) or "").partition("\n")[0]
 
 
+@of_kind.register(Rule)
 def of_rule(rule: Rule[Any, Any]) -> Iterator[Fact]:
     """Guard, effect, event and a scenario in which the rule fires; one that moves no body fires in none."""
     for conjunct in rule.guard:
@@ -208,6 +250,7 @@ def firings() -> dict[str, Firing]:
     return found
 
 
+@of_kind.register
 def of_claim(claim: Claim) -> Iterator[Fact]:
     """Profile, premises, expected verdict and what is to show it."""
     table = statements()

@@ -1,4 +1,8 @@
-"""How far off a computation in floats may be: a number of roundings of the largest number in sight."""
+"""How far off a computation in floats may be: a number of roundings of the largest number in sight.
+
+What is rounded is rounded again: each body of a row that is pushed hands on a distance, and each edge on the way takes
+its part of it. So the number of roundings grows with the work of a step (docs/proofs.md, "Rounding").
+"""
 
 from __future__ import annotations
 
@@ -18,9 +22,13 @@ UNIT_ROUNDOFF: dict[Precision, Fraction] = {
 }
 
 
-def tolerance(numbers: Precision, level: Level[Fraction], *distances: Fraction) -> Fraction:
-    """How far off one step on a level may be, in which distances are asked; never more than a part of the margin."""
-    return min(level.margin / PART, UNIT_ROUNDOFF[numbers] * ROUNDINGS * max([largest(level), *distances]))
+def tolerance(numbers: Precision, level: Level[Fraction], *distances: Fraction, walks: int = 1) -> Fraction:
+    """How far off one step on a level may be, in which distances are asked, and borders walk along an edge so often.
+
+    Under `repaired` that is how many instants it has. It is never more than a part of the margin.
+    """
+    rounding = UNIT_ROUNDOFF[numbers] * max([largest(level), *distances])
+    return min(level.margin / PART, rounding * ROUNDINGS * walks)
 
 
 def largest(level: Level[Fraction]) -> Fraction:

@@ -11,6 +11,7 @@ from reference.formats.numbers import exact
 from reference.formats.scenario import StepRecord
 from reference.physics import left_to, set_off, with_motions
 from reference.plan import check_added, plan_of, without
+from reference.scene import Reach, Scene
 from reference.simulator import Endless, Fulfilled, Happened, Record, heard_velocity
 from reference.storeys import StoreyWorld
 from reference.world import LevelError, World, standing
@@ -101,6 +102,23 @@ def run(
     return moments, record
 
 
+def run_in_reach(
+    rules: StepRules, scene: Scene[N], driven: Mapping[int, Drive[N]], duration: N, most: int = MOST_CHOSEN
+) -> tuple[list[Moment[N]], Chosen]:
+    """Drive some bodies of a scene for a time; those whom that cannot reach stay, and are not looked at.
+
+    Raises:
+        Endless: if rules are chosen more than `most` times.
+    """
+    reached = Reach(scene, driven, duration).ways
+    still = dict.fromkeys(reached, Drive(zero_like(duration)))
+    part = scene.take_out(reached)
+    try:
+        return run(rules, part, {**still, **driven}, duration, most)
+    finally:
+        scene.put_back(part)
+
+
 def told(names: list[str], duration: N, moments: list[Moment[N]]) -> Iterator[Happened[N]]:
     """What came in a step, in order, each with the time since its start and the velocities up to it."""
     for moment in moments:
@@ -136,11 +154,23 @@ class StepGame(Generic[N]):
     def __post_init__(self) -> None:
         """Set the level up."""
         self.plan = plan_of(self.level)
-        self.storeys = self.plan.start()
-        self.world = World(self.level)
+        self.scene = Scene(self.plan.start())
+        self.shown: World[N] | None = World(self.level)
         self.names = [body.name for body in self.level.bodies]
         self.happened: tuple[Happened[N], ...] = ()
         self.speeds: Mapping[int, N] = {}
+
+    @property
+    def storeys(self) -> StoreyWorld[N]:
+        """The bodies on their storeys, where they are now."""
+        return self.scene.world
+
+    @property
+    def world(self) -> World[N]:
+        """The level as it is now, its bodies on the edges of its graph; made when it is asked for."""
+        if self.shown is None:
+            self.shown = World(replace(self.level, bodies=self.plan.bodies(self.storeys)))
+        return self.shown
 
     def request(self, body: str, distance: N) -> Fulfilled[N]:
         """Drive one body at unit speed for as long as a signed distance, positive to the right."""
@@ -163,15 +193,14 @@ class StepGame(Generic[N]):
 
     def motions(self) -> Iterator[tuple[int, Motion[N]]]:
         """The bodies with a velocity of their own."""
-        return ((body, held.motion) for body, held in enumerate(self.world.bodies) if held.motion is not None)
+        return ((body, held.motion) for body, held in enumerate(self.level.bodies) if held.motion is not None)
 
     def have(self, motions: Mapping[int, Motion[N]]) -> None:
         """Let bodies have other motions."""
         if not motions:
             return
         self.level = with_motions(self.level, motions)
-        self.plan = replace(self.plan, level=self.level)
-        self.world = World(replace(self.level, bodies=self.plan.bodies(self.storeys)))
+        self.plan, self.shown = replace(self.plan, level=self.level), None
 
     def drive(self, speeds: Mapping[str, N], duration: N) -> list[Fulfilled[N]]:
         """Drive bodies for a time: characters in the plane, boxes relative to what they stand on."""
@@ -203,15 +232,14 @@ class StepGame(Generic[N]):
 
     def go_on(self, level: Level[N], storeys: StoreyWorld[N]) -> list[Fulfilled[N]]:
         """Go on with other bodies, which settle."""
-        self.level, self.plan, self.storeys = level, replace(self.plan, level=level), storeys
+        self.level, self.plan, self.scene = level, replace(self.plan, level=level), Scene(storeys)
         self.names = [body.name for body in level.bodies]
         return self.step({}, zero_like(level.margin))
 
     def step(self, driven: Mapping[int, Drive[N]], duration: N) -> list[Fulfilled[N]]:
         """Drive some bodies for a time; what fired is told with the first of them."""
-        still = {body: Drive(zero_like(duration)) for body in range(len(self.names))}
-        moments, record = run(self.profile.rules, self.storeys, {**still, **driven}, duration, self.most)
-        self.world = World(replace(self.level, bodies=self.plan.bodies(self.storeys)))
+        self.shown = None
+        moments, record = run_in_reach(self.profile.rules, self.scene, driven, duration, self.most)
         self.speeds = moments[-1].velocities
         movers = {body for moment in moments for body, speed in moment.velocities.items() if speed * moment.moved}
         fired = tuple((self.names[body], rule) for body, rule in record.told({*driven, *movers}))
@@ -238,16 +266,15 @@ def of_request(level: Level[N], body: str, distance: N) -> Driven[N]:
 
 def of_tick(level: Level[N], direction: Direction | None) -> Driven[N]:
     """What a tick is as a step: characters walk, and bodies with a velocity of their own slide."""
-    walking = {body.name: body.speed * direction for body in level.bodies if body.speed and direction is not None}
-    sliding = {body.name: body.motion.velocity for body in level.bodies if body.motion is not None}
+    walking = {body.name: body.speed * direction for body in level.movers if body.speed and direction is not None}
+    sliding = {body.name: body.motion.velocity for body in level.movers if body.motion is not None}
     return of_drive(level, {**walking, **sliding}, level.tick)
 
 
 def of_drive(level: Level[N], speeds: Mapping[str, N], duration: N) -> Driven[N]:
     """What it is to drive some bodies: characters in the plane, boxes relative to what they stand on."""
-    handles = {body.name: handle for handle, body in enumerate(level.bodies)}
-    boxes = {body.name for body in level.bodies if not body.speed}
-    return {handles[name]: Drive(speed, relative=name in boxes) for name, speed in speeds.items()}, duration
+    driven = {level.handles[name]: speed for name, speed in speeds.items()}
+    return {body: Drive(speed, relative=not level.bodies[body].speed) for body, speed in driven.items()}, duration
 
 
 def of_step(level: Level[Fraction], asked: StepRecord) -> Driven[Fraction]:

@@ -5,7 +5,7 @@ A body's handle is its place in the level's list of bodies. On a ring places are
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 from typing import Generic
@@ -60,12 +60,16 @@ class Place(Generic[N]):
 
 
 class StoreyWorld(Generic[N]):
-    """A world of storeys (`spec.storeys.Survey`). It is changed by advancing and letting down bodies."""
+    """A world of storeys (`spec.storeys.Survey`). It is changed by advancing and letting down bodies.
+
+    `known` is the ground of storeys that has been asked for.
+    """
 
     def __init__(self, terrain: Terrain[N], margin: N, places: Sequence[Place[N]]) -> None:
         """Put the bodies in order, storey by storey."""
         self.terrain, self.margin, self.places = terrain, margin, list(places)
         self.rows: dict[int, list[int]] = {}
+        self.known: dict[int, list[Interval[N]]] = {}
         for body, place in enumerate(places):
             self.rows.setdefault(place.storey, []).append(body)
         for storey in self.rows:
@@ -98,6 +102,16 @@ class StoreyWorld(Generic[N]):
     def span(self, body: int) -> Interval[N]:
         """Where a body is, from border to border."""
         return Interval(self.places[body].left, self.places[body].right)
+
+    def part(self, bodies: Iterable[int]) -> StoreyWorld[N]:
+        """The same world as if there were only some of its bodies: where they move in one, they move in the other."""
+        other = StoreyWorld(self.terrain, self.margin, ())
+        other.places, other.known = self.places, self.known
+        for body in bodies:
+            other.rows.setdefault(self.places[body].storey, []).append(body)
+        for storey in other.rows:
+            other.order(storey)
+        return other
 
     def with_place(self, place: Place[N]) -> StoreyWorld[N]:
         """The same with one body more, the last."""
@@ -132,7 +146,7 @@ class StoreyWorld(Generic[N]):
 
     def neighbours(self) -> Iterator[tuple[int, int]]:
         """Each body with the next one on its right, if no wall is between them."""
-        for row in self.rows.values():
+        for row in map(self.row, self.storeys()):
             for left, right in zip(row, [*row[1:], *row[:1]], strict=True):
                 follows = self.terrain.circumference is not None or right is not row[0]
                 if follows and left != right and self.free_between(left, right):
@@ -197,16 +211,18 @@ class StoreyWorld(Generic[N]):
         start = zero_like(place.left) if direction is Direction.RIGHT else place.width * -1
         reach, round_ = start, self.terrain.circumference
         for ground in sorted(self.grounds(place, direction), key=lambda ground: ground.left):
-            if ground.left < reach + place.width and ground.right > reach:
-                reach = ground.right
-        return None if round_ is not None and reach - start >= round_ else reach - start
+            if ground.left < reach + place.width:
+                reach = greater(reach, ground.right)
+        return None if round_ is not None and reach >= round_ else reach - start
 
     def grounds(self, place: Place[N], direction: Direction) -> Iterator[Interval[N]]:
         """The grounds of a storey seen from a body's left border in a direction; on a ring as far as twice round.
 
         A body that goes nearly once round has its front border nearly twice round.
         """
-        yield from self.seen(place, self.terrain.ground(place.storey), direction)
+        if place.storey not in self.known:
+            self.known[place.storey] = self.terrain.ground(place.storey)
+        yield from self.seen(place, self.known[place.storey], direction)
 
     def seen(self, place: Place[N], pieces: Sequence[Interval[N]], direction: Direction) -> Iterator[Interval[N]]:
         """Intervals seen from a body's left border in a direction; on a ring as far as twice round."""
@@ -264,7 +280,8 @@ class StoreyWorld(Generic[N]):
         """Move a body by a signed distance."""
         place, round_ = self.places[body], self.terrain.circumference
         left = place.left + distance
-        self.places[body] = replace(place, left=left if round_ is None else once_round(left, round_))
+        left = left if round_ is None else once_round(left, round_)
+        self.places[body] = Place(place.storey, left, place.width, place.support, place.pushes)
 
     def in_terrain(self, body: int) -> bool:
         """Whether a body is where it is solid."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Generic
 
 from spec.graph import Direction, Graph
@@ -55,3 +56,13 @@ class Level(Generic[N]):
     tick: N
     bodies: tuple[Body[N], ...]
     buttons: tuple[EdgePosition[N], ...] = ()
+
+    @cached_property
+    def handles(self) -> dict[str, int]:
+        """The places of bodies in the level's order, by their names."""
+        return {body.name: handle for handle, body in enumerate(self.bodies)}
+
+    @cached_property
+    def movers(self) -> tuple[Body[N], ...]:
+        """The characters, and the bodies with a velocity of their own."""
+        return tuple(body for body in self.bodies if body.speed or body.motion is not None)

@@ -164,6 +164,12 @@ def out_of_the_way(start: Any, direction: Direction, ledge: Any, body: int, dist
     return beyond | behind  # type: ignore[no-any-return]
 
 
+def walls_thick(start: Any, asked: Any) -> Truth:
+    """All terrain on a storey on which bodies stand, or below, is as thick as the margin."""
+    storeys = range(max(start.storeys()) + 1)
+    return every(wall.right - wall.left >= start.margin for storey in storeys for wall in start.solid(storey))
+
+
 def storeys_start(start: Any, asked: Any) -> Truth:
     """Margins, terrain and supports are kept."""
     zero = zero_like(start.margin)
@@ -234,6 +240,12 @@ STOREYS_START = Condition(
     "6.2.1, 6.2.2; R24, U9",
     storeys_start,
 )
+WALLS_THICK = Condition(
+    "condition/walls-thick",
+    "No terrain is thinner than the margin, so that two bodies beside a wall are not nearer to each other than that.",
+    "6.2.1; R24, U9",
+    walls_thick,
+)
 
 SHORT_REQUESTS = Condition(
     "condition/short-requests",
@@ -269,6 +281,7 @@ CONDITIONS: tuple[Condition, ...] = (
     NOBODY_RIDES,
     GUIDELINES,
     STOREYS_START,
+    WALLS_THICK,
     SHORT_REQUESTS,
     ALONE,
     TWO_AT_MOST,

@@ -15,7 +15,7 @@ from spec.rule import AnyFamily, AnyRule, Family, Rule
 
 
 @dataclass(frozen=True)
-class Alternative:
+class Representation:
     """Another way to represent bodies: its sentence and its source."""
 
     id: str
@@ -25,7 +25,7 @@ class Alternative:
     kind = "design"
 
 
-DISCRETE = Alternative(
+DISCRETE = Representation(
     "discrete/vertices",
     "A body is on a vertex, one storey of one column, on the ground of the column or on the top of another body; in a "
     "turn one body is asked to move by one vertex.",

@@ -140,9 +140,10 @@ OF_STOREYS: tuple[Model, ...] = (
         "contact, and each body whose distance to a wall is 0 as at that wall. (3) Velocities are found "
         "(model/velocities). (4) Of the events that come if all go on so (event/...), and of the end of the step, the "
         "earliest is the next instant; all bodies move with their velocities up to it. (5) All events of that instant "
-        "are recorded, records that are over are dropped (model/records), and whoever lost its support settles. (6) "
-        "If time is left, it goes on with (3). So the last instant has its events and its settling too, and a step of "
-        "no time only settles and records. Events of one instant may be told in any order.",
+        "are recorded, records that are over are dropped (model/records), and whoever lost its support settles; if "
+        "anybody has, what (2) says is recorded too. (6) If time is left, it goes on with (3). So the last instant has "
+        "its events and its settling too, and a step of no time only settles and records. Events of one instant may be "
+        "told in any order.",
         "6.2.1, 5.2; R5, R10, R23, A1",
         "repaired-fills-pit",
     ),
@@ -173,7 +174,8 @@ OF_STOREYS: tuple[Model, ...] = (
         "A contact that is recorded lasts until two neighbours part: until time passes in which the right one moves "
         "faster to the right than the left one, or they have settled on different storeys; two that fall together "
         "stay in contact. A body at a wall is there until time passes in which it moves away, or it changes its "
-        "storey. While they last, no event between the two comes. Records are made anew in each step.",
+        "storey. While they last, no event between the two comes. Records are made anew in each step; what touches "
+        "when bodies have settled is recorded without an event, so that a falling body may close a row round a ring.",
         "6.2.1c; R20, R24",
         "repaired-walks-on-mover",
     ),

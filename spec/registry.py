@@ -22,6 +22,7 @@ from spec.models import MODELS, OF_GRAPHS, OF_STOREYS as MODELS_OF_STOREYS
 from spec.plane import IN_PLANE
 from spec.profiles import PROFILES, AnyProfile
 from spec.readings import OF_STOREYS, READINGS
+from spec.rounding import OF_ROUNDING
 from spec.rule import AnyRule, Chooser, Family
 from spec.rules.request import FAMILIES, Rules
 from spec.rules.step import STEP_FAMILIES
@@ -88,6 +89,7 @@ def statements() -> dict[str, Statement]:
         MODELS,
         OF_ONE_REQUEST,
         RELATIONS,
+        OF_ROUNDING,
         IN_PLANE,
         OF_ONE_STEP,
         STEP_RELATIONS,

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
-from itertools import permutations
+from itertools import combinations
 from typing import Any, Generic
 
 from spec.graph import Direction
@@ -147,20 +147,19 @@ def between(wall: Interval[N], one: Interval[N], other: Interval[N], tolerance: 
 def pairs_on_storeys(world: Survey[N]) -> Iterator[tuple[int, Interval[N], Interval[N]]]:
     """Each two bodies on one storey, with the storey; on a ring the second one also as its images."""
     for storey in world.storeys():
-        for one, other in permutations(world.row(storey), 2):
+        for one, other in combinations(world.row(storey), 2):
             for image in images(world, world.span(other)):
                 yield storey, world.span(one), image
 
 
 def margins_kept(world: Survey[N], tolerance: N) -> Truth:
-    """Bodies on one storey are the margin apart, or terrain is between them, and they do not overlap."""
+    """Bodies on one storey are the margin apart, or terrain is between them."""
     walls = {
         storey: [image for solid in world.solid(storey) for image in images(world, solid)] for storey in world.storeys()
     }
-    zero = zero_like(tolerance) - tolerance
     return every(
         apart(one, other, world.margin - tolerance)
-        | (apart(one, other, zero) & some(between(wall, one, other, tolerance) for wall in walls[storey]))
+        | some(between(wall, one, other, tolerance) for wall in walls[storey])
         for storey, one, other in pairs_on_storeys(world)
     )
 
@@ -188,7 +187,7 @@ def is_held(world: Survey[N], body: int, tolerance: N) -> Truth:
     if support is not None:
         near = some(meet(span, image, world.margin + tolerance) for image in images(world, world.span(support)))
         return near if world.storey(support) == storey - 1 else False
-    if storey == 0:
+    if not storey:
         return True
     return some(meet(span, ground, tolerance) for ground in grounds(world, storey))
 
@@ -238,7 +237,7 @@ def nobody_passes(stretch: Stretch[N]) -> Truth:
     return every(
         not_passed(world.span(one), image, by[one], by[other], stretch.tolerance)
         for storey in world.storeys()
-        for one, other in permutations(world.row(storey), 2)
+        for one, other in combinations(world.row(storey), 2)
         for image in images(world, world.span(other))
     )
 
@@ -450,12 +449,12 @@ def no_better(stretch: Stretch[N], body: int, support: int, other: int, image: I
     """Whether another top is no further to the front than what a body stands on, or is not more under it."""
     world, tolerance = stretch.after, stretch.tolerance
     motion = stretch.velocities[body] - stretch.carried(body)
-    if motion <= tolerance and motion + tolerance >= zero_like(motion):
-        return world.overlap(body, other) <= world.overlap(body, support) + tolerance
     span, near, mine = world.span(body), world.margin + tolerance, images(world, world.span(support))
-    if motion > zero_like(motion):
+    if motion > tolerance:
         return some(meet(span, one, near) & (image.left <= one.left + tolerance) for one in mine)
-    return some(meet(span, one, near) & (image.left + tolerance >= one.left) for one in mine)
+    if motion + tolerance < zero_like(motion):
+        return some(meet(span, one, near) & (image.left + tolerance >= one.left) for one in mine)
+    return world.overlap(body, other) <= world.overlap(body, support) + tolerance
 
 
 def of_step(name: str, sentence: str, source: str, holds: Callable[[Course[Any]], Truth]) -> StepInvariant:
@@ -565,11 +564,33 @@ STEP_RIDERS = Relation(
 )
 STEP_FURTHEST = Relation(
     "invariant/step-furthest",
-    "Where all that are driven on a line are driven one way at one speed, in the plane or on what stands, all may push "
-    "and nobody changes its support, each body goes as far as the least of what the walls ahead allow and the greater "
-    "of its own wish and what the body behind it goes beyond the room between them; unless a wall stops what carries "
-    "one of a row, and another of that row is driven, or carried by another row.",
+    "Where one body is driven, all may push, nobody changes its support, and no terrain is between the supports of "
+    "bodies that have none between them, each goes as far as it wishes or is pushed, and as far as walls allow: on a "
+    "line the least of what the walls ahead allow and the greater of its own wish and what the body behind it goes "
+    "beyond the room between them.",
     "6.2.1c; R20",
 )
+STEP_ONE_WAY = Relation(
+    "invariant/step-one-way",
+    "Where all that are driven on a line are driven one way at one speed, in the plane or on what stands, all may push "
+    "and nobody changes its support, each goes as far as the least of what the walls ahead allow and the greater of "
+    "its own wish and what the body behind it goes beyond the room between them; unless a wall stops what carries one "
+    "of a row, and another of that row is driven, or carried by another row.",
+    "1.1, 6.2.1c; R1, R20",
+)
+STEP_OUT_OF_REACH = Relation(
+    "invariant/step-out-of-reach",
+    "Bodies that a step cannot reach do not matter: they stay as they are, and without them the others move at the "
+    "same instants, with the same velocities, to the same places.",
+    "7.1.1; R20, E5",
+)
 
-STEP_RELATIONS: tuple[Relation, ...] = (STEP_SPLIT, STEP_MIRROR, STEP_BODY_ORDER, STEP_RIDERS, STEP_FURTHEST)
+STEP_RELATIONS: tuple[Relation, ...] = (
+    STEP_SPLIT,
+    STEP_MIRROR,
+    STEP_BODY_ORDER,
+    STEP_RIDERS,
+    STEP_FURTHEST,
+    STEP_ONE_WAY,
+    STEP_OUT_OF_REACH,
+)

@@ -2,26 +2,33 @@
 
 from collections.abc import Callable
 from dataclasses import replace
+from fractions import Fraction
 from functools import partial
 from itertools import chain, pairwise, product
 from typing import NamedTuple
 
+import numpy as np
 import pytest
 from test_steps import with_effect
 
-from properties.claims.repaired import LOSSES, ROWS, SETTLED, STRETCHES, TIMES, WINDOWS, of_window
-from properties.contracts import stretches
+from properties.claims.repaired import FURTHEST, LOSSES, ROWS, SETTLED, STRETCHES, TIMES, WINDOWS, of_window
+from properties.closed_form import furthest, supports_in_one_row
+from properties.contracts import one_drive, stretches
 from properties.contracts.request import judged
 from properties.engine.explore import explore
+from properties.evidence.courses import drive
+from reference.storeys import Place, StoreyWorld, Terrain
+from spec.conditions import Condition
 from spec.profiles import REPAIRED
 from spec.rule import Family
 from spec.rules import step
-from spec.rules.row import full_speed, its_own, takes_part, the_same
+from spec.rules.row import full_speed, its_own, no_speed, stands_still, standstill, takes_part, the_same
 from spec.rules.settle import Found, front_most
-from spec.storeys import Contact, Seat
+from spec.storeys import Contact, Drive, Interval, Seat
 
-RESTS = {obligation.id: obligation for obligation in (*ROWS, *SETTLED, *STRETCHES, *TIMES)}
+RESTS = {obligation.id: obligation for obligation in (*ROWS, *SETTLED, *STRETCHES, *TIMES, *FURTHEST)}
 LATE = "stretches/room-is-used-up-in-time"
+FAR = "one_drive/bodies-go-as-far-as-they-may (right)"
 
 
 def broken(obligation, profile=REPAIRED):
@@ -77,6 +84,19 @@ FAULTS = {
         "stretches/settling-keeps-apart (one above another)",
         "invariant/step-support",
     ),
+    "who is pushed stays behind": Fault("forward", "row/pushed", its_own, FAR, "it is as far as the closed form says"),
+    "nothing is passed on": Fault(
+        "relay", "row/passes-on", no_speed, FAR, "it goes if it is reached and is not at its limit"
+    ),
+    "all are held": Fault("meet", "row/one-way", stands_still, FAR, "it is as far as the closed form says"),
+    "nobody goes": Fault("way", "way/open", standstill, FAR, "it goes if it is reached and is not at its limit"),
+    "who is carried stays behind": Fault(
+        "wish",
+        "wish/carried",
+        lambda urge: urge.drive.speed,
+        "one_drive/wishes-go-one-way",
+        "it wishes its drive, or what its support does",
+    ),
 }
 
 
@@ -107,6 +127,55 @@ def test_who_falls_next_to_another_without_looking_is_refuted(monkeypatch):
     falls = replace(blind.rules[-1], guard=blind.rules[-1].guard[:2])
     wrong = replace(REPAIRED, rules=replace(REPAIRED.rules, settle=Family("settle", (*blind.rules[:-1], falls))))
     assert "invariant/step-margin" in broken(of_window(stretches.settling_keeps_apart, LOSSES[0]), wrong)
+
+
+def test_a_wrong_closed_form_is_refuted(monkeypatch):
+    def without_walls_beyond_the_next(wishes, rooms, walls):
+        used = np.concatenate([[wishes[0] * 0], np.cumsum(np.array(rooms, dtype=object))])
+        pushed = np.maximum.accumulate(np.array(wishes, dtype=object) + used)
+        return np.minimum(pushed, np.array(walls, dtype=object) + used) - used
+
+    assert broken(RESTS["one_drive/sums-are-the-closed-form"]) == ()
+    monkeypatch.setattr(one_drive, "along_row", without_walls_beyond_the_next)
+    assert "they agree" in broken(RESTS["one_drive/sums-are-the-closed-form"])
+
+
+def test_what_the_closed_form_takes_for_granted_of_worlds_is_refuted_of_wrong_ones(monkeypatch):
+    anything = Condition("condition/storeys-start", "Anything.", "-", lambda world, tolerance: True)
+    monkeypatch.setattr(one_drive, "STOREYS_START", anything)
+    assert "they are in order" in broken(RESTS["one_drive/supports-are-in-order (two on two)"])
+    monkeypatch.setattr(StoreyWorld, "free_between", lambda world, left, right: True)
+    assert "no wall is between them" in broken(RESTS["one_drive/no-wall-is-between (two and a wall)"])
+
+
+def test_a_closed_form_that_counts_rooms_from_the_wrong_side_is_refuted(monkeypatch):
+    right = one_drive.as_closed_form
+    assert broken(RESTS["one_drive/at-first-nobody-has-gone"]) == ()
+    monkeypatch.setattr(
+        one_drive, "as_closed_form", lambda far, limit, wished, pushed: right(far, limit, wished, pushed * -1)
+    )
+    for name in ("one_drive/at-first-nobody-has-gone", FAR):
+        assert "it is as far as the closed form says" in broken(RESTS[name])
+
+
+def test_a_wall_between_supports_leaves_who_was_pushed_ahead_of_the_closed_form():
+    one = Fraction(1)
+    places = (
+        Place(0, 0 * one, 8 * one, None),
+        Place(0, 12 * one, 8 * one, None),
+        Place(1, 1 * one, 6 * one, 0),
+        Place(1, 11 * one, 8 * one, 1),
+        Place(2, 3 * one, 6 * one, 2),
+        Place(2, 10 * one, 6 * one, 3),
+    )
+    terrain = Terrain(((), (Interval(9 * one, 10 * one),)), Interval(-10 * one, 60 * one))
+    world = StoreyWorld(terrain, one, places)
+    drives = {body: Drive(one if body == 0 else 0 * one) for body in range(6)}
+    course = drive(REPAIRED.rules, world, drives, 5 * one, 0 * one)
+    assert [course.after.support(body) for body in range(6)] == [place.support for place in places]
+    assert course.after.span(5).left - places[5].left == 4
+    assert furthest(world, drives, 5 * one)[5] == 2
+    assert not supports_in_one_row(world)
 
 
 class Storey:

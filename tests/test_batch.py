@@ -6,8 +6,8 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from properties.closed_form import furthest
-from properties.evidence.comparisons import furthest_alike
+from properties.closed_form import by_batch
+from properties.evidence.comparisons import one_way_alike
 from properties.evidence.courses import drive
 from properties.strategies.storeys import Outing, outing
 from properties.worlds.changes import backwards, floating, in_floats, mirrored
@@ -79,34 +79,34 @@ def test_a_row_above_a_wall_that_stops_one_support_before_the_other_begins_has_n
     drives = dict(enumerate(ABOVE))
     moved = by_events(OVER_A_WALL, drives, Fraction(4)).places[5].left - OVER_A_WALL.places[5].left
     assert moved == Fraction(5, 2)
-    assert furthest(OVER_A_WALL, drives, Fraction(4)) is None
-    assert furthest(mirrored(OVER_A_WALL), backwards(drives), Fraction(4)) is None
+    assert by_batch(OVER_A_WALL, drives, Fraction(4)) is None
+    assert by_batch(mirrored(OVER_A_WALL), backwards(drives), Fraction(4)) is None
     quarter = Fraction(1, 4)
-    assert furthest(OVER_A_WALL, drives, quarter) == {0: quarter, 1: 0, 2: quarter, 3: 0, 4: quarter, 5: quarter}
+    assert by_batch(OVER_A_WALL, drives, quarter) == {0: quarter, 1: 0, 2: quarter, 3: 0, 4: quarter, 5: quarter}
 
 
 def test_several_that_walk_at_one_speed_have_a_closed_form_and_two_speeds_have_none():
     world = line(30, (), (0, 1, 1, None), (0, 4, 1, None), (1, 4, 1, 1), (0, 7, 1, None))
     drives = driven(world, b0=2, b1=2)
-    far = furthest(world, drives, Fraction(3, 2))
+    far = by_batch(world, drives, Fraction(3, 2))
     assert far == {0: 3, 1: 3, 2: 3, 3: Fraction(5, 4)}
-    assert furthest(world, driven(world, b0=2, b1=1), Fraction(3, 2)) is None
-    assert furthest(world, driven(world, b0=1, b1=-1), Fraction(1, 8)) is None
+    assert by_batch(world, driven(world, b0=2, b1=1), Fraction(3, 2)) is None
+    assert by_batch(world, driven(world, b0=1, b1=-1), Fraction(1, 8)) is None
 
 
 def test_who_just_loses_its_support_at_the_end_of_a_step_goes_by_events():
     world = line(30, (solid((0, 5)),), (1, 3, 1, None))
-    assert furthest(world, driven(world, b0=1), Fraction(2)) is None
-    assert furthest(world, driven(world, b0=1), Fraction(15, 8)) == {0: Fraction(15, 8)}
+    assert by_batch(world, driven(world, b0=1), Fraction(2)) is None
+    assert by_batch(world, driven(world, b0=1), Fraction(15, 8)) == {0: Fraction(15, 8)}
     rider = line(30, (), (0, 3, 1, None), (1, 3, 1, 0))
-    assert furthest(rider, driven(rider, b1=-1), Fraction(5, 4)) is None
-    assert furthest(rider, driven(rider, b1=-1), Fraction(1)) == {0: 0, 1: -1}
+    assert by_batch(rider, driven(rider, b1=-1), Fraction(5, 4)) is None
+    assert by_batch(rider, driven(rider, b1=-1), Fraction(1)) == {0: 0, 1: -1}
 
 
 def test_a_hole_holds_who_does_not_fit_into_it():
     world = line(30, (solid((0, 5), (6, 9)),), (1, 3, 2, None))
-    assert furthest(world, driven(world, b0=1), Fraction(5)) == {0: 5}
-    assert furthest(line(30, (solid((0, 5), (7, 9)),), (1, 3, 2, None)), driven(world, b0=1), Fraction(5)) is None
+    assert by_batch(world, driven(world, b0=1), Fraction(5)) == {0: 5}
+    assert by_batch(line(30, (solid((0, 5), (7, 9)),), (1, 3, 2, None)), driven(world, b0=1), Fraction(5)) is None
 
 
 def test_a_rider_that_is_pushed_off_its_support_before_that_follows_it_to_a_wall_goes_by_events():
@@ -114,8 +114,8 @@ def test_a_rider_that_is_pushed_off_its_support_before_that_follows_it_to_a_wall
     world = line(30, ((), solid((13, 14))), *bodies)
     drives, duration = driven(world, b0=1), Fraction(23, 4)
     assert by_events(world, drives, duration).places[3].storey == 0
-    assert furthest(world, drives, duration) is None
-    assert furthest(world, drives, Fraction(3, 2)) == {0: Fraction(3, 2), 1: 0, 2: Fraction(3, 2), 3: Fraction(5, 4)}
+    assert by_batch(world, drives, duration) is None
+    assert by_batch(world, drives, Fraction(3, 2)) == {0: Fraction(3, 2), 1: 0, 2: Fraction(3, 2), 3: Fraction(5, 4)}
 
 
 @pytest.mark.parametrize("first", [0, pytest.param(10_000, marks=pytest.mark.slow)])
@@ -186,6 +186,6 @@ def test_a_wrong_batch_is_not_where_events_lead(monkeypatch, name):
     above = Outing(OVER_A_WALL.terrain, OVER_A_WALL.margin, tuple(OVER_A_WALL.places), ABOVE, Fraction(4), ZERO, ())
     made = [*outings(150), above]
     courses = [drive(REPAIRED.rules, one.world(), one.drives_by_body, one.duration, ZERO) for one in made]
-    assert all(furthest_alike(REPAIRED.rules, *pair) for pair in zip(made, courses, strict=True))
+    assert all(one_way_alike(REPAIRED.rules, *pair) for pair in zip(made, courses, strict=True))
     monkeypatch.setattr(batches, name, WRONG[name])
-    assert not all(furthest_alike(REPAIRED.rules, *pair) for pair in zip(made, courses, strict=True))
+    assert not all(one_way_alike(REPAIRED.rules, *pair) for pair in zip(made, courses, strict=True))

@@ -10,6 +10,7 @@ from reference.formats.files import read
 from reference.formats.level import LevelRecord, valid_level
 from reference.plan import check_plan
 from reference.play import LIBRARY, play
+from reference.scene import Scene
 from reference.stepping import StepGame
 from spec.body import EdgePosition
 from spec.graph import Direction
@@ -29,7 +30,7 @@ def fewest_keys(level):
     while waiting:
         storeys, ticks = waiting.popleft()
         for direction in Direction:
-            game.storeys = storeys.copy()
+            game.scene = Scene(storeys.copy())
             game.tick(direction)
             if game.world.solved():
                 return ticks + 1

@@ -9,6 +9,7 @@ import pytest
 from properties.contracts.request import judged
 from properties.contracts.steps import squeezed_bodies_stand, steps_keep_the_invariants
 from properties.engine.explore import explore
+from properties.evidence.comparisons import after
 from properties.evidence.courses import drive
 from properties.evidence.sample import FLOAT_TOLERANCE, ONE_RULE, Campaign, campaign
 from properties.evidence.sample_steps import STOREYS
@@ -43,6 +44,19 @@ def test_a_body_that_goes_nearly_round_a_ring_does_not_fall_through_a_hole_that_
     world = ring(4, [(0, 2)], 1, Place(1, Fraction(3), Fraction(3), None))
     course = drive(REPAIRED.rules, world, {0: Drive(Fraction(1))}, Fraction(3), Fraction(0))
     assert course.after.storey(0) == 1
+
+
+def test_a_ring_that_a_falling_body_closes_stands_still_in_one_step_as_in_two():
+    places = (
+        Place(0, Fraction(0), Fraction(3), None),
+        Place(0, Fraction(8), Fraction(3), None),
+        Place(1, Fraction(2), Fraction(3), 0),
+    )
+    world = StoreyWorld(Terrain((), None, Fraction(12)), Fraction(1), places)
+    drives = {0: STILL, 1: STILL, 2: Drive(Fraction(1), relative=False)}
+    for durations in ((10,), (2, 8), (5, 5)):
+        end = after(REPAIRED.rules, world, drives, *map(Fraction, durations))
+        assert [(place.storey, place.left) for place in end.places] == [(0, 0), (0, 8), (0, 4)]
 
 
 def test_a_squeezed_body_stands_even_if_it_may_not_push_back():

@@ -11,6 +11,8 @@ from properties.claims import (
     landings,
     ledges,
     repaired,
+    rounding,
+    steps_compared,
     string,
     velocity,
 )
@@ -20,6 +22,7 @@ CLAIMS: tuple[Claim, ...] = (
     *string.CLAIMS,
     *ledges.CLAIMS,
     *repaired.CLAIMS,
+    *steps_compared.CLAIMS,
     *comparison.CLAIMS,
     *velocity.CLAIMS,
     *display.CLAIMS,
@@ -27,4 +30,5 @@ CLAIMS: tuple[Claim, ...] = (
     *features.CLAIMS,
     *enough.CLAIMS,
     *landings.CLAIMS,
+    *rounding.CLAIMS,
 )

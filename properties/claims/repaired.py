@@ -5,9 +5,19 @@ from __future__ import annotations
 from collections.abc import Callable
 from fractions import Fraction
 
-from properties.claims.claim import Claim, Obligation, Verdict
+from properties.claims.claim import Claim, Count, Obligation, Verdict
 from properties.claims.string import name_of, of_rules
-from properties.contracts import step_families, steps, stretches, sweeps
+from properties.contracts import (
+    instants,
+    judging_steps,
+    measuring,
+    one_drive,
+    reach,
+    step_families,
+    steps,
+    stretches,
+    sweeps,
+)
 from properties.given import Given
 from properties.worlds.storeys import Member, Setting
 from spec.conditions import STOREYS_START
@@ -16,20 +26,18 @@ from spec.invariants import Relation
 from spec.profiles import REPAIRED, SteppedProfile
 from spec.rules.step import StepRules
 from spec.stepped import (
-    STEP_BODY_ORDER,
     STEP_BYSTANDERS,
     STEP_FURTHEST,
     STEP_INSTANTS,
     STEP_MARGIN,
-    STEP_MIRROR,
     STEP_MOTION,
     STEP_NOT_RAISED,
     STEP_ONE_KEY,
+    STEP_ONE_WAY,
     STEP_ORDER,
+    STEP_OUT_OF_REACH,
     STEP_PROGRESS,
-    STEP_RIDERS,
     STEP_SEAT,
-    STEP_SPLIT,
     STEP_SQUEEZED,
     STEP_SUPPORT,
     STEP_TERRAIN,
@@ -125,19 +133,38 @@ LOSSES = (
     Setting("two high up", (Member(2, STILL), Member(1, STILL)), (1, 1)),
     Setting("one on another that falls", (Member(2, STILL, 1), Member(1, STILL)), (1,)),
 )
-FROM_START = (stretches.stretches_keep_apart, stretches.what_touches_is_recorded)
+FROM_START = (
+    stretches.stretches_keep_apart,
+    stretches.what_touches_is_recorded,
+    instants.no_time_changes_nothing,
+    one_drive.supports_are_in_order,
+    one_drive.no_wall_is_between,
+)
 CONTACTS = of_steps(steps.contacts_do_not_close)
 TIMES = (
     *of_steps(stretches.no_event_is_passed_over, stretches.room_is_used_up_in_time),
     *(of_window(stretches.what_touches_is_recorded, setting) for setting in WINDOWS[:4]),
+    of_window(instants.no_time_changes_nothing, WINDOWS[0]),
+    *of_steps(instants.what_has_not_parted_stays_recorded, instants.neighbours_stay_in_contact),
 )
 STRETCHES = (*CONTACTS, *TIMES, *(of_window(stretches.stretches_keep_apart, setting) for setting in WINDOWS))
-SETTLED = tuple(of_window(stretches.settling_keeps_apart, setting) for setting in LOSSES)
+SETTLED = (
+    *of_steps(instants.what_was_lost_is_not_looked_at),
+    *(of_window(stretches.settling_keeps_apart, setting) for setting in LOSSES),
+)
 ROWS = (
     *of_steps(steps.wishes_are_of_drives, steps.squeezed_bodies_stand, sweeps.speeds_meet_once),
     *(of_way(sweeps.motion_has_causes, ahead) for ahead in Direction),
 )
+REACH = (*of_steps(reach.wishes_add_one_drive), *(of_way(reach.rows_add_no_speed, ahead) for ahead in Direction))
 ONE_KEY = tuple(of_way(sweeps.nobody_is_faster_than_all_wish, ahead) for ahead in Direction)
+
+FURTHEST = (
+    *(of_way(one_drive.bodies_go_as_far_as_they_may, ahead) for ahead in Direction),
+    *of_steps(one_drive.wishes_go_one_way, one_drive.at_first_nobody_has_gone, one_drive.sums_are_the_closed_form),
+    of_window(one_drive.supports_are_in_order, one_drive.TWO_ON_TWO),
+    of_window(one_drive.no_wall_is_between, WINDOWS[2]),
+)
 
 
 def holds(about: StepInvariant | Relation, expected: Verdict, *obligations: Obligation, long: bool = False) -> Claim:
@@ -170,11 +197,9 @@ CLAIMS: tuple[Claim, ...] = (
     *(holds(invariant, PROVED, *ROWS) for invariant in (STEP_BYSTANDERS, STEP_PROGRESS, STEP_SQUEEZED)),
     holds(STEP_ONE_KEY, PROVED, *ROWS, *ONE_KEY),
     holds(STEP_INSTANTS, BOUNDED, *WHOLE_STEPS, long=True),
-    holds(STEP_SPLIT, BOUNDED, *SPLIT, long=True),
-    holds(STEP_MIRROR, BOUNDED, *MIRRORED, long=True),
-    holds(STEP_BODY_ORDER, TESTED),
-    holds(STEP_RIDERS, TESTED),
-    holds(STEP_FURTHEST, TESTED),
+    holds(STEP_FURTHEST, PROVED, *FURTHEST),
+    holds(STEP_ONE_WAY, TESTED),
+    holds(STEP_OUT_OF_REACH, TESTED),
     proved(
         "one-step-rule-applies",
         "rules",
@@ -219,15 +244,49 @@ CLAIMS: tuple[Claim, ...] = (
         steps.tops_are_chosen,
     ),
     Claim(
+        id="claim/drives-add-up",
+        family="steps",
+        sentence="In rows of any length, nobody is faster than its support and the fastest drive in its row, added up.",
+        source="4.2, 4.4; R20, A27",
+        about=STEP_OUT_OF_REACH.id,
+        profile=REPAIRED,
+        premises=(),
+        expected=PROVED,
+        obligations=REACH,
+    ),
+    Claim(
+        id="claim/step-invariants-judge",
+        family="work",
+        sentence="Of each step of a bank of right and wrong ones, each invariant says what is to be said of it.",
+        source="6.2.1; R5, R20",
+        about="invariants",
+        profile=REPAIRED,
+        premises=(),
+        expected=TESTED,
+        counts=(Count("counts/step-invariants-judge", judging_steps.step_invariants_judge),),
+    ),
+    Claim(
+        id="claim/storeys-are-measured",
+        family="reference",
+        sentence="In each world of a bank of storeys, distances, grounds and neighbours are what they are to be.",
+        source="6.2.1; R12, R19, R24",
+        about="world",
+        profile=REPAIRED,
+        premises=(),
+        expected=TESTED,
+        counts=(Count("counts/storeys-are-measured", measuring.storeys_are_measured),),
+    ),
+    Claim(
         id="claim/whole-steps",
         family="steps",
-        sentence="Whole steps of small worlds, with riders, ledges and one that may not push, keep every invariant.",
+        sentence="Whole steps of small worlds, with riders, ledges and one that may not push, keep every invariant; of "
+        "some, the mirror image does the mirror image, and they may be cut in two.",
         source="6.2.1; R5, R20",
         about="invariants",
         profile=REPAIRED,
         premises=(START,),
         expected=BOUNDED,
-        obligations=(*WHOLE_STEPS, *LARGER_STEPS),
+        obligations=(*WHOLE_STEPS, *LARGER_STEPS, *MIRRORED, *SPLIT),
         long=True,
     ),
 )

@@ -107,10 +107,14 @@ def as_told(world: World[Fraction], line: LineRecord, nearly: Fraction) -> bool:
     )
 
 
-def tolerance_of(header: HeaderRecord, level: Level[Fraction], asked: tuple[Request, ...]) -> Fraction:
-    """How far a step of a log may be off; 0 on a grid."""
-    numbers: Precision = "exact" if header.grid is not None else header.numbers
-    return tolerance(numbers, level, *(distance for _, _, distance in asked))
+def tolerance_of(header: HeaderRecord, level: Level[Fraction], asked: tuple[Request, ...], walks: int = 1) -> Fraction:
+    """How far a step of a log may be off, in which borders walk so often; 0 on a grid."""
+    return tolerance(precision(header), level, *(distance for _, _, distance in asked), walks=walks)
+
+
+def precision(header: HeaderRecord) -> Precision:
+    """In what numbers a log is known; on a grid they are exact."""
+    return "exact" if header.grid is not None else header.numbers
 
 
 @dataclass(frozen=True)

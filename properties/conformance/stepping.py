@@ -47,13 +47,16 @@ Drives = Mapping[int, Drive[Fraction]]
 
 @dataclass(frozen=True)
 class Outcome:
-    """What came of a step: the storeys after it, how far each body moved, what happened, how many rules it took."""
+    """What came of a step: the storeys after it, how far each body moved, what happened, how many rules it took, and
+    how many instants it had.
+    """
 
     storeys: StoreyWorld[Any]
     moved: Mapping[int, Fraction]
     happened: tuple[Happened[Any], ...]
     speeds: Mapping[int, Any]
     work: int
+    instants: int
 
 
 @dataclass(frozen=True)
@@ -71,6 +74,10 @@ class OfSteps:
         """How far each driven body would come if nothing were in its way."""
         drives, time = self.driven(before, line)
         return tuple((body, way(drive.speed), abs(drive.speed) * time) for body, drive in drives.items())
+
+    def walks(self, step: Step) -> int:
+        """How many instants a step has: at each one bodies have moved."""
+        return self.outcome(self.storeys(step.before), self.driven(step.before, step.line)).instants
 
     def judge(self, step: Step, tolerance: Fraction) -> tuple[Judgement, list[Difference]]:
         """Where the bodies are after a step, and what the line says of their ways; of events in exact numbers."""
@@ -161,7 +168,9 @@ class OfSteps:
         drives, after = self.drives(driven), before.copy()
         moments, chosen = run(self.profile.rules, after, drives, time + before.margin * 0, most)
         moved = {body: sum((m.velocities[body] * value_of(m.moved) for m in moments), Fraction(0)) for body in drives}
-        return Outcome(after, moved, tuple(told(names, time, moments)), moments[-1].velocities, chosen.chosen)
+        return Outcome(
+            after, moved, tuple(told(names, time, moments)), moments[-1].velocities, chosen.chosen, len(moments)
+        )
 
     def among_all_ways(
         self, step: Step, before: StoreyWorld[Any], seen: StoreyWorld[Any], tolerance: Fraction, first: Outcome
@@ -336,6 +345,10 @@ class OfChanges:
     def asked(self, before: World[Fraction], line: LineRecord) -> tuple[Request, ...]:
         """Nobody is driven."""
         return ()
+
+    def walks(self, step: Step) -> int:
+        """Nobody moves but down."""
+        return 1
 
     def judge(self, step: Step, tolerance: Fraction) -> tuple[Judgement, list[Difference]]:
         """Whether there is room for who comes, who loses a support settles, and all others stay."""

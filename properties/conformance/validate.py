@@ -13,12 +13,13 @@ from typing import Protocol
 import numpy as np
 
 from properties.conformance.diagnosis import Trouble, diagnose
-from properties.conformance.judge import Difference, Finding, Judgement, judge
+from properties.conformance.judge import Difference, Finding, Judgement, expect, judge
 from properties.conformance.log import (
     Grid,
     Request,
     Step,
     grid_of,
+    precision,
     requests_of,
     rolled,
     tolerance_of,
@@ -237,6 +238,9 @@ class Referee(Protocol):
     def asked(self, before: World[Fraction], line: LineRecord, /) -> tuple[Request, ...]:
         """Who was to move how far in a step."""
 
+    def walks(self, step: Step, /) -> int:
+        """How often in a step what was rounded is rounded again, by the rules in exact numbers; at least once."""
+
     def judge(self, step: Step, tolerance: Fraction, /) -> tuple[Judgement, list[Difference]]:
         """What was found of a step, and what its line says of it that is not so."""
 
@@ -259,6 +263,11 @@ class OfRequests:
     def asked(self, before: World[Fraction], line: LineRecord) -> tuple[Request, ...]:
         """The requests of a line, in order."""
         return requests_of(before, self.profile, line, self.nearly)
+
+    def walks(self, step: Step) -> int:
+        """How often a border walks along an edge."""
+        records = expect(self.profile, step.before, step.asked).records
+        return max(1, sum(rule.startswith("walk/") for record in records for _, rule in record.fired))
 
     def judge(self, step: Step, tolerance: Fraction) -> tuple[Judgement, list[Difference]]:
         """Where the bodies are, and what the line says of its requests; of rules where they are known."""
@@ -291,7 +300,8 @@ class OfRequests:
 
 def look_at(step: Step, log: Recording, referee: Referee, grid: Grid | None, report: Report) -> None:
     """Judge a step; explain it if it is the first of its kind."""
-    tolerance = tolerance_of(log.header, log.level, step.asked)
+    walks = 1 if precision(log.header) == "exact" else referee.walks(step)
+    tolerance = tolerance_of(log.header, log.level, step.asked, walks)
     judgement, said = referee.judge(step, tolerance)
     finding, differences = judgement.finding, judgement.differences
     said = [*of_the_grid(step, grid), *of_the_state(step.line, step.after, tolerance), *said]
@@ -316,7 +326,8 @@ def trouble(step: Step, log: Recording, referee: Referee, judgement: Judgement, 
     moved = [difference for difference in judgement.differences if difference.field in ("left", "right")]
     if not moved:
         return Trouble(step, judgement.finding, judgement.differences, None, None)
-    in_floats = rounding("float64", log.level, *(distance for _, _, distance in step.asked))
+    distances = (distance for _, _, distance in step.asked)
+    in_floats = rounding("float64", log.level, *distances, walks=referee.walks(step))
     rounded = not tolerance and all(0 < difference.apart <= in_floats for difference in moved)
     return replace(referee.trouble(step, log, judgement, tolerance), rounded=rounded)
 

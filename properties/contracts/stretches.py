@@ -181,13 +181,18 @@ def settling_keeps_apart(rules: StepRules, given: Given, setting: Setting) -> No
 
 
 def what_touches_is_recorded(rules: StepRules, given: Given, setting: Setting) -> None:
-    """What a step records at its beginning is so."""
+    """What a step records at its beginning is so, and all that is so is recorded."""
     world = any_world(given, setting)
-    for mark in touching(world):
+    found = touching(world)
+    for mark in found:
         given.ensure("what is recorded is so", every([is_so(world, mark)]))
     for left, right in world.neighbours():
         if world.gap(left, right) <= world.margin:
-            given.ensure("what is so is recorded", Contact(left, right) in touching(world))
+            given.ensure("what is so is recorded", Contact(left, right) in found)
+    for body, direction in at_sides(world):
+        room = world.to_wall(body, direction)
+        if room is not None and room <= 0:
+            given.ensure("who is at a wall is recorded", AtWall(body, world.storey(body), direction) in found)
 
 
 def no_event_is_passed_over(rules: StepRules, given: Given) -> None:
@@ -198,6 +203,7 @@ def no_event_is_passed_over(rules: StepRules, given: Given) -> None:
     instant = next_instant(some, left)
     given.ensure("it is not after the end", instant.after <= left)
     given.ensure("it is the end if it is the last", instant.after == left if instant.last else True)
+    given.ensure("it is the last if nothing comes before", instant.last == every(left <= one.after for one in some))
     for event in some:
         given.ensure("nothing comes before", instant.after <= event.after)
         given.ensure("what comes then comes", (event in instant.events) == (event.after <= instant.after))

@@ -21,6 +21,7 @@ from typing import Any
 
 import z3
 
+from properties.engine.formulas import ask, conjunction, disjunction, opposite, tell
 from properties.engine.reals import DECIDE, Symbolic, SymbolicTruth, formula_of
 from properties.engine.simplest import Drawn, simplest_values
 from properties.given import Exact, Given, Infeasible
@@ -200,7 +201,7 @@ class Exploration:
     def possible(self, *formulas: z3.BoolRef) -> bool | None:
         """Whether formulas can hold on the path so far; None if the solver does not know."""
         self.outcome.checks += 1
-        answer = self.solver.check(*formulas, *self.premises.values())
+        answer = ask(self.solver, *formulas, *self.premises.values())
         if answer == z3.unsat:
             core = {premise.get_id() for premise in self.solver.unsat_core()}
             self.outcome.used |= {name for name, premise in self.premises.items() if premise.get_id() in core}
@@ -210,7 +211,7 @@ class Exploration:
         """Let a formula hold on the path from here on, as long as the solver is told the name as well."""
         self.outcome.assumed.add(name)
         known = self.premises.setdefault(name, z3.Bool(f"premise: {name}"))
-        self.solver.add(z3.Implies(known, formula))
+        tell(self.solver, disjunction(opposite(known), formula))
 
     def witness(self, path: Path) -> dict[str, Fraction | bool] | None:
         """Simple values that satisfy all premises of this path, and on exact numbers keep all its promises."""
@@ -244,12 +245,12 @@ class Exploration:
     @property
     def places(self) -> list[z3.BoolRef]:
         """Where the paths were, and what premises cut off, each as one formula."""
-        return [z3.And([z3.BoolVal(True), *literals]) for literals in self.covered]
+        return [conjunction(*literals) for literals in self.covered]
 
     def check_coverage(self) -> None:
         """Make sure that the paths, with what premises cut off, leave no values out."""
         solver = solver_for_reals()
-        if solver.check(z3.Not(z3.Or(self.places)), *self.drawn.signs(), *self.definitions) != z3.unsat:
+        if solver.check(opposite(disjunction(*self.places)), *self.drawn.signs(), *self.definitions) != z3.unsat:
             raise EngineError("the paths explored do not cover all values")
         self.outcome.exhaustive = True
 
@@ -271,9 +272,10 @@ class Path:
 
     def number(self, name: str, premise: str = "") -> Symbolic:
         """A symbolic real, at least 0."""
-        term = self.exploration.drawn.number(name)
-        self.exploration.premise(premise or f"{name} >= 0", term >= 0)
-        return Symbolic.of(name)
+        self.exploration.drawn.number(name)
+        number = Symbolic.of(name)
+        self.exploration.premise(premise or f"{name} >= 0", formula_of(number >= 0))
+        return number
 
     def natural(self, name: str) -> Symbolic:
         """A symbolic whole number, at least 0."""
@@ -289,7 +291,7 @@ class Path:
 
     def take(self, literal: z3.BoolRef) -> None:
         """Go on where a literal holds."""
-        self.exploration.solver.add(literal)
+        tell(self.exploration.solver, literal)
         self.note(literal)
 
     def note(self, literal: z3.BoolRef) -> None:
@@ -300,7 +302,7 @@ class Path:
 
     def define(self, definitions: list[z3.BoolRef]) -> None:
         """Go on with variables that are defined; they mean nothing to the last model."""
-        self.exploration.solver.add(*definitions)
+        tell(self.exploration.solver, *definitions)
         self.merges += 1
         self.model = None
 
@@ -324,28 +326,32 @@ class Path:
         forks = self.exploration.forks
         if self.met == len(forks):
             holds = self.may_hold(formula)
-            forks.append(Fork(formula, holds, other_open=holds and self.may_hold(z3.Not(formula))))
+            forks.append(Fork(formula, holds, other_open=holds and self.may_hold(opposite(formula))))
         fork = forks[self.met]
         if fork.formula.get_id() != formula.get_id():
             raise EngineError("a replay met another fork than the run it repeats")
         self.met += 1
-        self.take(fork.formula if fork.branch else z3.Not(fork.formula))
+        self.take(fork.formula if fork.branch else opposite(fork.formula))
         self.decided[fork.formula.get_id()] = fork.branch
         return fork.branch
 
     def assume(self, premise: Truth, name: str = "a premise without a name") -> None:
-        """Cut off what does not satisfy the premise; what was promised before is judged without it."""
+        """Cut off what does not satisfy the premise; what was promised before is judged without it.
+
+        Up to the last fork that is replayed, the run before has shown that it can be satisfied.
+        """
         self.judge()
         formula = formula_of(premise)
-        self.exploration.covered.append([*self.literals, z3.Not(formula)])
+        self.exploration.covered.append([*self.literals, opposite(formula)])
         self.exploration.premise(name, formula)
         self.note(formula)
-        if self.exploration.possible() is False:
+        replayed = self.met < len(self.exploration.forks)
+        if not replayed and self.exploration.possible() is False:
             raise Infeasible
 
     def ensure(self, name: str, promise: Truth) -> None:
         """Take a promise to be judged on this path, or on all into which it forks from here."""
-        self.promised.append((name, z3.Not(formula_of(promise))))
+        self.promised.append((name, opposite(formula_of(promise))))
         self.promises += 1
         self.exploration.outcome.promises += 1
 
@@ -356,7 +362,7 @@ class Path:
             return
         denials = [denial for _, denial in promised]
         self.exploration.judged.append(Judged(list(self.literals), denials))
-        if self.exploration.possible(z3.Or(denials)) is False:
+        if self.exploration.possible(disjunction(*denials)) is False:
             return
         for name, denial in promised:
             broken = self.exploration.possible(denial)

@@ -12,6 +12,7 @@ from typing import Any
 import z3
 
 from properties.engine.explore import EngineError, Exploration, Merge, Path
+from properties.engine.formulas import ask, disjunction, opposite
 from properties.engine.reals import Symbolic, parted, term_of
 from properties.given import Given
 
@@ -55,7 +56,8 @@ class PartExploration(Exploration):
         """Make sure that the paths, none of which a premise may cut off, leave out no values that lead here."""
         if len(self.covered) != len(self.returned) or self.premises != self.outside.premises:
             raise EngineError("a part that is merged assumes something, or draws")
-        if self.solver.check(z3.Not(z3.Or(self.places)), *self.definitions, *self.premises.values()) != z3.unsat:
+        elsewhere = opposite(disjunction(*self.places))
+        if ask(self.solver, elsewhere, *self.definitions, *self.premises.values()) != z3.unsat:
             raise EngineError("the paths of a part do not cover all values")
 
     def merge(self, numbers: Sequence[Any]) -> Any:

@@ -14,10 +14,21 @@ from typing import Any
 
 import z3
 
+from properties.engine.formulas import conjunction, disjunction, opposite
+
 DECIDE: ContextVar[Callable[[z3.BoolRef], bool]] = ContextVar("decide")
 
 Variable = tuple[str, bool]
 """The name of a variable, and whether it is a whole number."""
+
+
+Known = int | Fraction
+"""A number that is known exactly. Whole ones are added faster."""
+
+
+def known(number: Any) -> Known:
+    """A number at its exact value."""
+    return number if isinstance(number, int) else Fraction(number)
 
 
 class SymbolicTruth:
@@ -32,7 +43,7 @@ class SymbolicTruth:
     @property
     def formula(self) -> z3.BoolRef:
         """The formula as a whole."""
-        return z3.Not(self.atom) if self.negative else self.atom
+        return opposite(self.atom) if self.negative else self.atom
 
     def __bool__(self) -> bool:
         return DECIDE.get()(self.atom) != self.negative
@@ -40,14 +51,14 @@ class SymbolicTruth:
     def __and__(self, other: Any) -> Any:
         if isinstance(other, bool):
             return self if other else False
-        return SymbolicTruth(z3.And(self.formula, formula_of(other)))
+        return SymbolicTruth(conjunction(self.formula, formula_of(other)))
 
     __rand__ = __and__
 
     def __or__(self, other: Any) -> Any:
         if isinstance(other, bool):
             return True if other else self
-        return SymbolicTruth(z3.Or(self.formula, formula_of(other)))
+        return SymbolicTruth(disjunction(self.formula, formula_of(other)))
 
     __ror__ = __or__
 
@@ -63,17 +74,22 @@ def formula_of(truth: object) -> z3.BoolRef:
 
 
 @lru_cache(maxsize=100_000)
-def compared(parts: tuple[tuple[Variable, Fraction], ...], constant: Fraction, relation: str) -> z3.BoolRef:
+def compared(parts: tuple[tuple[Variable, Known], ...], constant: Known, relation: str) -> z3.BoolRef:
     """The formula that a sum is less than 0 (`<`), at most 0 (`<=`) or 0 (`==`)."""
     total = sum_of(parts, constant)
     formula = {"<": total < 0, "<=": total <= 0, "==": total == 0}[relation]
     return z3.simplify(formula, som=True, arith_lhs=True, sort_sums=True)
 
 
-def sum_of(parts: Iterable[tuple[Variable, Fraction]], constant: Fraction) -> z3.ArithRef:
+def sum_of(parts: Iterable[tuple[Variable, Known]], constant: Known) -> z3.ArithRef:
     """The solver's term of a sum."""
-    terms = [z3.Q(factor.numerator, factor.denominator) * variable(name) for name, factor in parts]
-    return z3.Sum([*terms, z3.Q(constant.numerator, constant.denominator)])
+    terms = [variable(name) if factor == 1 else numeral(factor) * variable(name) for name, factor in parts]
+    return z3.Sum([*terms, numeral(constant)])
+
+
+def numeral(number: Known) -> z3.RatNumRef:
+    """The solver's term of a known number."""
+    return z3.RealVal(str(number))
 
 
 def term_of(number: Any) -> z3.ArithRef:
@@ -96,18 +112,18 @@ class Symbolic:
     __slots__ = ("constant", "parts")
     __hash__ = None  # type: ignore[assignment]
 
-    def __init__(self, parts: dict[Variable, Fraction], constant: Fraction) -> None:
+    def __init__(self, parts: dict[Variable, Known], constant: Known) -> None:
         self.parts, self.constant = parts, constant
 
     @classmethod
     def of(cls, name: str, whole: bool = False) -> Symbolic:
         """The variable of a name."""
-        return cls({(name, whole): Fraction(1)}, Fraction(0))
+        return cls({(name, whole): 1}, 0)
 
     def plus(self, other: Any, sign: int) -> Symbolic:
         """The sum with another number, or with the opposite of one."""
         if not isinstance(other, Symbolic):
-            return Symbolic(self.parts, self.constant + Fraction(other) * sign)
+            return Symbolic(self.parts, self.constant + known(other) * sign)
         parts = dict(self.parts)
         for name, share in other.parts.items():
             signed = share if sign > 0 else -share
@@ -136,8 +152,9 @@ class Symbolic:
                 raise TypeError("a product of symbolic numbers is not linear")
             other = other.constant
         if not other:
-            return Symbolic({}, Fraction(0))
-        return Symbolic({name: share * Fraction(other) for name, share in self.parts.items()}, self.constant * other)
+            return Symbolic({}, 0)
+        factor = known(other)
+        return Symbolic({name: share * factor for name, share in self.parts.items()}, self.constant * factor)
 
     __rmul__ = __mul__
 
@@ -146,19 +163,19 @@ class Symbolic:
         divisor = parted(other)
         if divisor.parts:
             raise TypeError("a quotient by a symbolic number is not linear")
-        return self * (1 / divisor.constant)
+        return self * (1 / Fraction(divisor.constant))
 
     def compare(self, other: Any, relation: str) -> Any:
         """Whether the difference is in a relation to 0: a plain Boolean where no variable is left in it."""
         difference = self.plus(other, -1)
         if not difference.parts:
-            known = difference.constant
-            return {"<": known < 0, "<=": known <= 0, "==": known == 0}[relation]
+            left = difference.constant
+            return {"<": left < 0, "<=": left <= 0, "==": left == 0}[relation]
         parts = sorted(difference.parts.items())
-        scale = 1 / parts[0][1]
-        turned = scale < 0 and relation != "=="
-        constant = difference.constant
-        if scale != 1:
+        first, constant = parts[0][1], difference.constant
+        turned = first < 0 and relation != "=="
+        if first != 1:
+            scale = first if first == -1 else 1 / Fraction(first)
             parts, constant = [(name, share * scale) for name, share in parts], constant * scale
         if turned:
             relation = "<=" if relation == "<" else "<"
@@ -186,7 +203,7 @@ class Symbolic:
 
 def parted(number: Any) -> Symbolic:
     """A number as a sum, symbolic or not."""
-    return number if isinstance(number, Symbolic) else Symbolic({}, Fraction(number))
+    return number if isinstance(number, Symbolic) else Symbolic({}, known(number))
 
 
 def negated(truth: Any) -> Any:

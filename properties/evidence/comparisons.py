@@ -1,25 +1,36 @@
-"""Steps compared: one and two, a world and its mirror image, with and without riders, the rules and the closed form.
+"""Steps compared: one and two, a world and its mirror image, with and without riders, the rules and the closed form,
+all bodies and those in reach.
 
-All in exact numbers: in floats a body may as well be held as not held where a support just ends.
+All but the last in exact numbers: in floats a body may as well be held as not held where a support just ends.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from properties.closed_form import furthest
+from properties.closed_form import by_batch, furthest, supports_in_one_row
 from properties.evidence.courses import Ties, drive
 from properties.strategies.storeys import Outing
 from properties.worlds.changes import Drives, backwards, chosen, mirrored
+from reference.scene import Reach, Scene
 from reference.storeys import StoreyWorld
 from spec.invariants import every
 from spec.number import Truth
 from spec.rules.step import StepRules
-from spec.stepped import STEP_BODY_ORDER, STEP_FURTHEST, STEP_MIRROR, STEP_RIDERS, STEP_SPLIT, Course
-from spec.storeys import short_way
+from spec.stepped import (
+    STEP_BODY_ORDER,
+    STEP_FURTHEST,
+    STEP_MIRROR,
+    STEP_ONE_WAY,
+    STEP_OUT_OF_REACH,
+    STEP_RIDERS,
+    STEP_SPLIT,
+    Course,
+)
+from spec.storeys import Survey, short_way
 
 ZERO = Fraction(0)
 
@@ -106,13 +117,63 @@ def until_one_comes_down(course: Course[Any], storey: int) -> tuple[Any, Any]:
     return time, course.after
 
 
-def furthest_alike(rules: StepRules, outing: Outing, course: Course[Any]) -> bool:
-    """Each body is where the closed form has it, on what it stood on, if there is one."""
-    far = furthest(outing.world(), outing.drives_by_body, outing.duration)
-    return far is None or all(
-        course.after.span(body).left == place.left + far[body] and seat(course.after, body) == seat(one.before, body)
+def in_closed_form(outing: Outing, course: Course[Any]) -> bool:
+    """Whether there is a closed form: one drive, on a line, all may push, nobody changes its support, and no terrain is
+    between the supports of a row.
+    """
+    driven = sum(1 for drive in outing.drives if drive.speed)
+    plain = driven == 1 and outing.terrain.circumference is None and all(place.pushes for place in outing.places)
+    if not plain or not supports_in_one_row(outing.world()):
+        return False
+    return all(
+        one.after.support(body) == place.support and one.after.storey(body) == place.storey
         for one in course.stretches
         for body, place in enumerate(outing.places)
+    )
+
+
+def furthest_alike(rules: StepRules, outing: Outing, course: Course[Any]) -> bool:
+    """Each body is where the closed form has it, if there is one."""
+    if not in_closed_form(outing, course):
+        return True
+    far = furthest(outing.world(), outing.drives_by_body, outing.duration)
+    return all(course.after.span(body).left - place.left == far[body] for body, place in enumerate(outing.places))
+
+
+def one_way_alike(rules: StepRules, outing: Outing, course: Course[Any]) -> bool:
+    """Each body is where a batch has it by its closed form, on what it stood on, if there is one."""
+    far = by_batch(outing.world(), outing.drives_by_body, outing.duration)
+    return far is None or all(
+        course.after.span(body).left == place.left + far[body] and seat(one.after, body) == seat(one.before, body)
+        for one in course.stretches
+        for body, place in enumerate(outing.places)
+    )
+
+
+def in_reach(outing: Outing, course: Course[Any]) -> Collection[int]:
+    """The bodies that a step can reach."""
+    world, drives = surveyed(course.before), course.stretches[0].drives
+    driven = {body: drive for body, drive in drives.items() if drive.speed or not drive.relative}
+    return Reach(Scene(world), driven, type(world.margin)(outing.duration)).ways
+
+
+def surveyed(world: Survey[Any]) -> StoreyWorld[Any]:
+    """A world that an invariant surveys, as the reference has it."""
+    assert isinstance(world, StoreyWorld)
+    return world
+
+
+def rest_does_not_count(rules: StepRules, outing: Outing, course: Course[Any]) -> bool:
+    """With those in reach only, all is the same at each instant, to the bit, and the rest stand still."""
+    bodies, world, first = in_reach(outing, course), surveyed(course.before), course.stretches[0]
+    drives = {body: first.drives[body] for body in bodies}
+    alone = drive(rules, world.part(bodies), drives, type(world.margin)(outing.duration), first.tolerance)
+    still = dict.fromkeys(first.drives, world.margin * 0)
+    return len(course.stretches) == len(alone.stretches) and all(
+        one.lasted == other.lasted
+        and one.velocities == {**still, **other.velocities}
+        and surveyed(one.after).places == surveyed(other.after).places
+        for one, other in zip(course.stretches, alone.stretches, strict=True)
     )
 
 
@@ -122,4 +183,6 @@ COMPARISONS = (
     Comparison(STEP_BODY_ORDER.id, order_alike),
     Comparison(STEP_RIDERS.id, riders_do_not_count),
     Comparison(STEP_FURTHEST.id, furthest_alike),
+    Comparison(STEP_ONE_WAY.id, one_way_alike),
 )
+IN_FLOATS_TOO = (Comparison(STEP_OUT_OF_REACH.id, rest_does_not_count),)

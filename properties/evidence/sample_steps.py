@@ -6,8 +6,8 @@ from collections.abc import Iterator
 from fractions import Fraction
 from typing import Any
 
-from properties.closed_form import furthest
-from properties.evidence.comparisons import COMPARISONS
+from properties.closed_form import by_batch
+from properties.evidence.comparisons import COMPARISONS, IN_FLOATS_TOO, in_closed_form, in_reach
 from properties.evidence.courses import drive
 from properties.evidence.sample import FLOAT_TOLERANCE, ONE_RULE, Campaign, Sampling
 from properties.strategies.storeys import Outing, outings
@@ -34,12 +34,14 @@ FLOORS = {
     "a rider that is driven": 0.15,
     "one key": 0.1,
     "one that may not push": 0.2,
-    "a closed form": 0.15,
+    "a closed form": 0.08,
+    "a closed form of a batch": 0.15,
+    "one is out of reach": 0.1,
 }
 
 
 def failing(profile: SteppedProfile, outing: Outing, floats: bool, seen: Campaign) -> list[str]:
-    """The properties of a step that fail on an outing; steps are compared in exact numbers only."""
+    """The properties of a step that fail on an outing; most comparisons are in exact numbers only."""
     record = Chosen(MOST_CHOSEN)
     rules = profile.rules.through(lambda family: Noted(family, record))
     try:
@@ -47,7 +49,7 @@ def failing(profile: SteppedProfile, outing: Outing, floats: bool, seen: Campaig
         fired = {rule for _, rule in record.fired}
         seen.shares.update({*fired, *features(outing, course, fired)})
         broken = [invariant.id for invariant in OF_ONE_STEP if not invariant.holds(course)]
-        compared = [] if floats else COMPARISONS
+        compared = IN_FLOATS_TOO if floats else (*COMPARISONS, *IN_FLOATS_TOO)
         return broken + [one.id for one in compared if not one.holds(profile.rules, outing, course)]
     except GuardError:
         return [ONE_RULE]
@@ -89,7 +91,9 @@ def features(outing: Outing, course: Course[Any], fired: set[str]) -> Iterator[s
         ),
         "one key": key_of(outing.drives_by_body) is not None,
         "one that may not push": not all(place.pushes for place in outing.places),
-        "a closed form": furthest(outing.world(), outing.drives_by_body, outing.duration) is not None,
+        "a closed form": in_closed_form(outing, course),
+        "a closed form of a batch": by_batch(outing.world(), outing.drives_by_body, outing.duration) is not None,
+        "one is out of reach": len(in_reach(outing, course)) < len(outing.places),
     }
     yield from (name for name, there in found.items() if there)
 

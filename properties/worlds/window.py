@@ -161,12 +161,13 @@ class Capacity:
 
 
 def capacity(given: Given, seen: Window) -> Capacity:
-    """Any capacities that a window can have: no wall stands on its edges."""
+    """Any capacities that a window can have: a wall, if there is one, is where its string ends, or further ahead."""
     neighbour = given.number("capacity of the neighbour")
     if seen.next_length is None:
         wall: Any | None = seen.start.reach
     elif given.flag("there is a wall"):
-        wall = seen.start.reach + seen.next_length + given.number("distance from the next edge to the wall")
+        wall = given.number("distance to the wall")
+        given.assume(seen.start.reach <= wall, "no wall stands on the edge")
     else:
         wall = None
     return Capacity(neighbour, wall)

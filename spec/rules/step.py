@@ -235,7 +235,7 @@ def step(
         marks = go_on(world, speeds, instant.after, marks) | {event.mark for event in instant.events}
         lost = {mark for mark in marks if isinstance(mark, Seat)}
         changes = tuple(settle(rules.settle, world, speeds, lost))
-        marks = present(world, marks) if changes else marks
+        marks = present(world, marks) | touching(world) if changes else marks
         left = left - instant.after
         yield Moment(left, instant.after, speeds, instant.events, changes)
         if instant.last:

@@ -50,9 +50,9 @@ def linear_time(tables: Tables) -> Finding:
         evaluated.LINEAR_TIME,
         judged(all(number(line, "work") == number(line, "boxes") + 1 for line in lines)),
         NOT_COMPARED,
-        "Pushing k boxes on one edge takes k + 1 collision queries. `repaired` asks all bodies of a storey in every "
-        f"tick, pushed or not: here it chooses a rule {least(at_once, 'work'):g} to {most(at_once, 'work'):g} times, "
-        "more often where a box is met within the tick.",
+        "Pushing k boxes on one edge takes k + 1 collision queries. `repaired` asks whomever a tick can reach, a few "
+        f"times each: here it chooses a rule {least(at_once, 'work'):g} to {most(at_once, 'work'):g} times, more often "
+        "where a box is met within the tick.",
         (
             "Figure 7.1 anew: a character picks up one box after another. Boxes pushed account for "
             f"{straight:.0%} of what differs in time between ticks on one edge (the square of the correlation).",
@@ -86,7 +86,7 @@ def boxes_in_scene(tables: Tables) -> Finding:
     scan, kept, at_once = (tables["scene"].of(engine) for engine in (SCANNING, THESIS, REPAIRED))
     square = all(number(one, "work") == (number(one, "pushed") + 1) * (number(one, "boxes") + 1) for one in scan)
     alone = all(number(one, "work") == number(one, "pushed") + 1 for one in kept)
-    many = scan[-1]
+    many, beyond = scan[-1], [one for one in at_once if number(one, "boxes") > number(one, "pushed")]
     few = max((one for one in scan if one["boxes"] == one["pushed"]), key=lambda one: number(one, "boxes"))
     grows = number(many, "work") / number(few, "work")
     return Finding(
@@ -95,8 +95,8 @@ def boxes_in_scene(tables: Tables) -> Finding:
         NOT_COMPARED,
         "A full scan, as in the thesis, looks at (k + 1)(n + 1) bodies if k of n boxes are pushed: at "
         f"{digits(grows)} times as many with {many['boxes']:g} boxes as with {few['boxes']:g}, at the same push. With "
-        "neighbours kept in order, as here, it is k + 1 queries, whatever n is. `repaired` asks all bodies of a "
-        "storey in every tick, and so grows with n.",
+        "neighbours kept in order, as here, it is k + 1 queries, whatever n is. `repaired` asks whomever the tick "
+        f"can reach: {least(beyond, 'work'):g} to {most(beyond, 'work'):g} choices of a rule with more than 20 boxes.",
         (
             "Figure 7.2 anew: the movement step after one second, in which the character pushes 20 boxes if there "
             "are as many. It bends at 20, as in the thesis.",

@@ -403,15 +403,17 @@ class World:
     # Settling
 
     def settle(self, lost: set[int], now: Fraction) -> None:
-        """Let all bodies that lost their support find another, lowest storey first."""
+        """Let all bodies that lost their support find another, lowest storey first; then record anew what touches."""
+        settled = False
         for i in sorted(range(len(self.bodies)), key=lambda i: self.bodies[i].storey):
             body = self.bodies[i]
             fallen = body.support is not None and self.bodies[body.support].storey != body.storey - 1
             if i in lost or fallen:
                 motion = self.velocities[i] - self.support_velocity(i)
                 self.find_support(i, motion, body.support if i in lost else None, now)
-        storeys = [body.storey for body in self.bodies]
-        self.contacts = {(i, j) for i, j in self.contacts if storeys[i] == storeys[j]}
+                settled = True
+        if settled:
+            self.record()
 
     def find_support(self, i: int, motion: Fraction, lost: int | None, now: Fraction) -> None:
         """Let a body stand on the ground or a top of its storey, or else fall by a storey and look again."""

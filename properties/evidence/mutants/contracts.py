@@ -12,7 +12,7 @@ from functools import cache
 
 from properties.evidence.mutants.mutant import Mutant, mutants_of, told_apart
 from properties.evidence.mutants.operators import WEAKENING
-from properties.evidence.mutants.rules import of_rules, of_steps
+from properties.evidence.mutants.rules import of_displays, of_rules, of_steps, of_velocities
 from properties.evidence.mutants.trial import CRASHES, Kill, explored, kills_by_proofs, replayed, said_by, told
 from properties.evidence.mutants.worlds import of_worlds
 from properties.evidence.showing import texts
@@ -51,9 +51,13 @@ def of_obligations() -> dict[str, Mutant]:
     return weakened(OBLIGATIONS)
 
 
+WRONG_ONES = (of_rules, of_steps, of_velocities, of_displays, of_worlds, of_contracts)
+"""What makes the mutants of which obligations are to notice each."""
+
+
 def wrong_one(name: str) -> Mutant:
-    """A mutant that obligations or invariants catch: of the rules, of the worlds, or of the contracts."""
-    return next(mutants[name] for mutants in (of_rules(), of_steps(), of_worlds(), of_contracts()) if name in mutants)
+    """A mutant that obligations catch: of the rules, of the worlds, or of the contracts."""
+    return next(mutants[name] for mutants in (made() for made in WRONG_ONES) if name in mutants)
 
 
 def kills_of_contract(

@@ -15,15 +15,20 @@ from properties.contracts.steps import any_member
 from properties.engine.explore import explore
 from properties.evidence.mutants.mutant import Mutant
 from properties.evidence.mutants.trial import SAME
-from properties.given import HAS_WIDTH, Given
+from properties.given import HAS_LENGTH, HAS_WIDTH, Given
+from reference.storeys import without
 from spec.graph import Direction, EdgeType
 from spec.plane import Box, box, negated, terrain
 from spec.profiles import REPAIRED
 from spec.rules.event import Nearing, time_left
 from spec.rules.row import forwards
-from spec.storeys import Contact
+from spec.rules.settle import on_its_storey
+from spec.stepped import beside_wall, one_speed
+from spec.storeys import Contact, Drive, Interval
 
 FALLS_LEAD_DOWN = "a fall edge is not level"
+KEYED = ("key", "velocity")
+NOBODY_RISES = "a support was a storey below, and nobody has come up"
 
 
 def promise_alike(given: Given, mutant: Mutant, ask: Callable[[], list[Any]]) -> None:
@@ -100,6 +105,49 @@ def what_comes_nearer(mutant: Mutant, given: Given) -> None:
     promise_alike(given, mutant, lambda: [time_left(nearing)])
 
 
+def riders_and_their_supports(mutant: Mutant, given: Given) -> None:
+    """Any body on the ground, or on another: that may have come down, but nobody comes up."""
+    support, storeys = 1 if given.flag("on another") else None, [given.number("storey"), given.number("storey below")]
+    given.assume(storeys[1] <= storeys[0] - 1, NOBODY_RISES)
+    world: Any = SimpleNamespace(support=lambda body: support, storey=lambda body: storeys[body])
+    promise_alike(given, mutant, lambda: [bool(on_its_storey(world, 0))])
+
+
+def pieces_and_walls(mutant: Mutant, given: Given) -> None:
+    """Any piece of terrain, and any wall on it or beside it."""
+    piece, wall = any_interval(given, "the piece"), any_interval(given, "the wall")
+    promise_alike(given, mutant, lambda: [end for one in beside_wall(piece, wall) for end in (one.left, one.right)])
+
+
+def pieces_and_cuts(mutant: Mutant, given: Given) -> None:
+    """Any piece of terrain, and any other that is cut out of it."""
+    piece, cut = any_interval(given, "the piece"), any_interval(given, "the cut")
+    ask = partial(without, piece, cut.left, cut.right)
+    promise_alike(given, mutant, lambda: [end for one in ask() for end in (one.left, one.right)])
+
+
+def any_interval(given: Given, name: str) -> Interval[Any]:
+    """Any interval that has a length."""
+    left, length = given.number(f"{name}: left"), given.number(f"{name}: length")
+    given.assume(length > 0, HAS_LENGTH)
+    return Interval(left, left + length)
+
+
+def keys_of_any_speed(mutant: Mutant, given: Given) -> None:
+    """A character under any key, at any velocity, at any walls."""
+    key, velocity = (given.number(f"{name} to the right") - given.number(f"{name} to the left") for name in KEYED)
+    at_walls = {way: given.flag(f"a wall on the {way.name.lower()}") for way in Direction}
+    one: Any = SimpleNamespace(
+        drives={0: Drive(key, relative=False)},
+        velocities={0: velocity},
+        tolerance=0,
+        contacts={},
+        at_wall=lambda body, way: at_walls[way],
+        wish=lambda body: key,
+    )
+    promise_alike(given, mutant, lambda: [bool(one_speed(one))])
+
+
 EQUAL: dict[str, Callable[[Mutant, Given], None]] = {
     "plane.Box.beside: False instead of True (2)": heights_of_bodies,
     "plane.negated: truth <= False instead of truth == False": plain_truths,
@@ -109,6 +157,13 @@ EQUAL: dict[str, Callable[[Mutant, Given], None]] = {
     "row.forwards: member.wish * direction instead of greater(member.wish * direction, zero_like(passed))": (
         speeds_in_a_row
     ),
+    "settle.on_its_storey: world.storey(support) >= world.storey(body) - 1 instead of world.storey(support) == "
+    "world.storey(body) - 1": riders_and_their_supports,
+    "stepped.beside_wall: wall.right < piece.left instead of wall.right <= piece.left": pieces_and_walls,
+    "stepped.beside_wall: wall.left > piece.right instead of wall.left >= piece.right": pieces_and_walls,
+    "stepped.one_speed: key > zero_like(key) instead of key >= zero_like(key)": keys_of_any_speed,
+    "storeys.without: right < piece.left instead of right <= piece.left": pieces_and_cuts,
+    "storeys.without: left > piece.right instead of left >= piece.right": pieces_and_cuts,
     "event.time_left: nearing.room instead of greater(nearing.room, zero_like(nearing.room))": what_comes_nearer,
 }
 

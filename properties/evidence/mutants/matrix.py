@@ -10,7 +10,7 @@ from pathlib import Path
 from rich.console import Console
 from rich.table import Table
 
-from properties.evidence.mutants.argued import CHANGES_NO_ANSWER, UNNOTICED
+from properties.evidence.mutants.argued import CHANGES_NO_ANSWER
 from properties.evidence.mutants.record import Record, by_construction, columns
 from properties.evidence.mutants.trial import CRASHING, SAME
 
@@ -114,12 +114,16 @@ def page_of(record: Record) -> str:
     return "\n".join(lines).rstrip() + "\n"
 
 
-MATRICES = {"rules": "Rules of requests", "steps": "Rules of steps"}
+MATRICES = {
+    "rules": "Rules of requests",
+    "steps": "Rules of steps",
+    "velocity": "Rules of velocity",
+    "display": "Rules of the display",
+}
 ASIDE = {
     SAME: "are proved to change nothing",
     CHANGES_NO_ANSWER: "change no answer",
     CRASHING: "only crash, which counts as no kill",
-    UNNOTICED: "are noticed by nothing, and count as nothing that is caught",
 }
 """How what is said of a mutant that is set aside begins, and what that means."""
 

@@ -7,16 +7,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from functools import cache
-from typing import Any
 
 from properties.evidence.mutants.trial import CRASHES, Kill, ended
 from properties.evidence.sample import Campaign
-from properties.evidence.sample_steps import STOREYS, course_of
+from properties.evidence.sample_steps import STOREYS
 from properties.strategies.storeys import MOST_BODIES, MOST_STOREYS, Outing, outing
-from reference.simulator import Endless
 from spec.profiles import REPAIRED
-from spec.rule import GuardError
-from spec.stepped import Course
 
 STEPPED, WORLD = "storeys: ", "world"
 MANY, ALL, CRASHED, MOST_SECONDS = 15, 240, 3, 1
@@ -46,16 +42,6 @@ def broken_in(number: int) -> tuple[str, ...] | None:
         with ended(MOST_SECONDS):
             return tuple(dict.fromkeys(STOREYS.failing(REPAIRED, held, False, Campaign(STOREYS))))
     except CRASHES:
-        return None
-
-
-def course_in(number: int) -> Course[Any] | None:
-    """What comes of a step in the world of a number; None if there is nobody, if it crashes, or does not end."""
-    held = outing_of(number)
-    try:
-        with ended(MOST_SECONDS):
-            return course_of(REPAIRED.rules, held, floats=False) if held.places else None
-    except (*CRASHES, GuardError, Endless):
         return None
 
 

@@ -8,24 +8,25 @@ from functools import cache
 from typing import Any
 
 from properties.evidence.mutants.mutant import Mutant, called, mutants_of, told_apart
-from spec.profiles import OVERSHOOT, REPAIRED, THESIS, AnyProfile
+from spec.display import DISPLAYS
+from spec.profiles import OVERSHOOT, REPAIRED, THESIS
 from spec.readings import LANDING, LANDING_OVERSHOOT, PUSH_LIMIT, TICK_ORDER, as_listed, number_of_bodies
 from spec.rule import AnyFamily, AnyRule, Family
 
-PUT_TOGETHER = ("Rules.through", "StepRules.through", "StepRules.row")
+PUT_TOGETHER = ("Rules.through", "StepRules.through", "StepRules.row", "VelocityRules.through", "DisplayRules.through")
 
 
-def families_of(profile: AnyProfile) -> list[AnyFamily]:
-    """The families of a profile, as its rules list them."""
-    listed = (getattr(profile.rules, one.name) for one in fields(profile.rules))
-    return [one for one in listed if isinstance(one, Family)]
+def families_of(*records: Any) -> list[AnyFamily]:
+    """The families that records of rules list, each once."""
+    listed = (getattr(record, one.name) for record in records for one in fields(record))
+    return list({id(one): one for one in listed if isinstance(one, Family)}.values())
 
 
-def chapters_of(profile: AnyProfile) -> list[str]:
-    """The modules in which the rules of a profile are written, and the one that puts them together."""
-    rules = [rule for family in families_of(profile) for rule in family.rules]
+def chapters_of(*records: Any) -> list[str]:
+    """The modules in which the rules of some records are written, and those that put them together."""
+    rules = [rule for family in families_of(*records) for rule in family.rules]
     own = [function.__module__ for rule in rules for function in (*rule.guard, rule.effect)]
-    return list(dict.fromkeys([*own, type(profile.rules).__module__]))
+    return list(dict.fromkeys([*own, *(type(record).__module__ for record in records)]))
 
 
 def reached_by(rule: AnyRule) -> frozenset[str]:
@@ -87,20 +88,32 @@ def reading_mutants() -> Iterator[Mutant]:
 @cache
 def of_rules() -> dict[str, Mutant]:
     """All mutants of the rules and of the readings, by name."""
-    return told_apart([*reading_mutants(), *rule_mutants(THESIS)])
+    return told_apart([*reading_mutants(), *rule_mutants(THESIS.rules)])
 
 
 @cache
 def of_steps() -> dict[str, Mutant]:
     """All mutants of the rules of steps, by name."""
-    return told_apart(list(rule_mutants(REPAIRED)))
+    return told_apart(list(rule_mutants(REPAIRED.rules)))
 
 
-def rule_mutants(profile: AnyProfile) -> Iterator[Mutant]:
-    """All mutants of the guards and the effects of a profile, and of the functions of their modules."""
-    for family in families_of(profile):
+@cache
+def of_velocities() -> dict[str, Mutant]:
+    """All mutants of the rules of velocity, as printed and as mended, by name."""
+    return told_apart(list(rule_mutants(THESIS.velocity, REPAIRED.velocity)))
+
+
+@cache
+def of_displays() -> dict[str, Mutant]:
+    """All mutants of the rules of a display step, by name."""
+    return told_apart(list(rule_mutants(*DISPLAYS.values())))
+
+
+def rule_mutants(*records: Any) -> Iterator[Mutant]:
+    """All mutants of the guards and the effects of some records of rules, and of the functions of their modules."""
+    for family in families_of(*records):
         for rule in family.rules:
             yield from guard_mutants(rule)
         yield from effect_mutants(family)
-    for chapter in chapters_of(profile):
+    for chapter in chapters_of(*records):
         yield from mutants_of(chapter, *PUT_TOGETHER)

@@ -1,0 +1,125 @@
+"""The claims that compare steps on storeys: with their mirror images, with other orders of bodies, with steps cut in
+two, and with the same without riders.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+
+from properties.claims.claim import Claim, Obligation, Verdict
+from properties.claims.repaired import LOSSES, ROWS, SETTLED, START, STILL, STRETCHES, WINDOWS, holds, of_steps, of_way
+from properties.claims.string import name_of
+from properties.contracts import cuts, images, parting
+from properties.contracts.images import View, from_behind, renamed
+from properties.given import Given
+from properties.worlds.storeys import Member, Setting
+from spec.conditions import WALLS_THICK
+from spec.graph import Direction
+from spec.profiles import SteppedProfile
+from spec.rules.step import StepRules
+from spec.stepped import STEP_BODY_ORDER, STEP_MIRROR, STEP_RIDERS, STEP_SPLIT
+
+PROVED = Verdict.PROVED
+THICK = WALLS_THICK.id
+
+ONE = (Setting("alone", (Member(0, STILL),)), Setting("alone on a ring", (Member(0, STILL),), ring=True))
+BESIDE = (
+    Setting("two beside each other", (Member(1, STILL), Member(1, STILL)), (1, 1)),
+    Setting("two beside each other on a ring", (Member(1, STILL), Member(1, STILL)), (1,), ring=True),
+)
+RIDDEN = (
+    Setting("one on another", (Member(0, STILL), Member(1, STILL, 0))),
+    Setting("one on another on a ring", (Member(0, STILL), Member(1, STILL, 0)), ring=True),
+)
+CARRIED = {"one off another": (0,), "one above two": (1, 2)}
+"""Who is below, where it is not the second of two."""
+
+
+def in_view(program: Callable[[StepRules, Given, View], None], name: str, view: View) -> Obligation:
+    """An obligation on the rules of a step, in another view."""
+
+    def of_profile(profile: SteppedProfile, given: Given) -> None:
+        program(profile.rules, given, view)
+
+    return Obligation(f"{name_of(program)} ({name})", of_profile)
+
+
+def of_worlds(
+    program: Callable[[StepRules, Given, Setting, View], None], setting: Setting, name: str, view: View
+) -> Obligation:
+    """An obligation on the few that a setting has, whatever else is in the world, in another view."""
+
+    def of_profile(profile: SteppedProfile, given: Given) -> None:
+        program(profile.rules, given, setting, view)
+
+    needs = (THICK,) if program is images.settling_looks_alike else (START,)
+    return Obligation(f"{name_of(program)} ({setting.name}, {name})", of_profile, needs)
+
+
+def of_cut(program: Callable[[StepRules, Given, Setting], None], setting: Setting) -> Obligation:
+    """An obligation on the few that a setting has, in a step that is cut in two."""
+
+    def of_profile(profile: SteppedProfile, given: Given) -> None:
+        program(profile.rules, given, setting)
+
+    return Obligation(f"{name_of(program)} ({setting.name})", of_profile, (START,))
+
+
+def seen(name: str, view: Callable[[int], View], least: int) -> tuple[Obligation, ...]:
+    """That all of a step is alike in a view of so many bodies, at least in windows of so many."""
+    windows = [one for one in WINDOWS if len(one.members) >= least]
+    losses = [one for one in (*LOSSES, *BESIDE) if len(one.members) >= least]
+    return (
+        *(in_view(program, name, view(4)) for program in (images.facts_look_alike, images.tops_look_alike)),
+        *(
+            in_view(program, name, view(2))
+            for program in (images.records_look_alike, images.rows_look_alike, images.members_look_alike)
+        ),
+        *(of_worlds(images.worlds_look_alike, one, name, view(len(one.members))) for one in windows),
+        *(of_worlds(images.ways_look_alike, one, name, view(1)) for one in ONE if least == 1),
+        *(of_worlds(images.settling_looks_alike, one, name, view(len(one.members))) for one in losses),
+        of_worlds(images.velocities_look_alike, RIDDEN[0], name, view(2)),
+    )
+
+
+MIRRORED = seen("from behind", from_behind, 1)
+RENAMED = seen("in another order", renamed, 2)
+CUT = (
+    *of_steps(cuts.records_last, cuts.time_goes_by, cuts.instants_are_the_same),
+    *(of_cut(cuts.two_ways_are_one, setting) for setting in ONE),
+    *(of_cut(cuts.who_is_held_has_room, setting) for setting in WINDOWS),
+    *(of_cut(cuts.what_comes_is_nearer, setting) for setting in WINDOWS),
+    *(of_cut(cuts.what_is_recorded_touches, setting) for setting in WINDOWS[:4]),
+    *(
+        of_way(program, ahead)
+        for program in (
+            parting.who_part_are_as_fast,
+            parting.who_is_beyond_is_as_fast,
+            parting.who_leaves_a_wall_is_as_fast,
+        )
+        for ahead in Direction
+    ),
+)
+BELOW = (
+    *(of_worlds(images.worlds_look_alike, setting, "without the rider", View((0,))) for setting in RIDDEN),
+    *(
+        of_worlds(images.settling_looks_alike, one, "without those above", View(CARRIED.get(one.name, (1,))))
+        for one in LOSSES
+        if len(one.members) > 1
+    ),
+    of_worlds(images.velocities_look_alike, RIDDEN[0], "without the rider", View((0,))),
+)
+KEPT = (*STRETCHES, *SETTLED)
+
+CLAIMS: tuple[Claim, ...] = (
+    holds(STEP_SPLIT, PROVED, *CUT, *KEPT, *ROWS, long=True),
+    *(
+        replace(holds(about, PROVED, *obligations, *KEPT, long=True), premises=(START, THICK))
+        for about, obligations in (
+            (STEP_MIRROR, MIRRORED),
+            (STEP_BODY_ORDER, RENAMED),
+            (STEP_RIDERS, (*BELOW, *CUT, *ROWS)),
+        )
+    ),
+)

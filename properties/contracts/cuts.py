@@ -1,0 +1,133 @@
+"""What is shown of a step that is cut in two at any time up to its next instant, whatever else is in the world.
+
+The time up to the cut is the unit of time, so that a velocity is the way that a body goes in it. The second step begins
+as the first would have gone on: the same is recorded, the same comes, earlier by that time, and all are as fast
+(`properties/contracts/parting.py`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+from itertools import product
+from typing import Any
+
+from properties.contracts.stretches import CLOSED, FIRST, KNOWN_SPEEDS, ONCE, UNIT, any_way, nearings, shuts
+from properties.evidence.comparisons import alike
+from properties.given import Given
+from properties.worlds.storeys import Setting, any_world
+from reference.storeys import StoreyWorld
+from spec.graph import Direction
+from spec.invariants import every
+from spec.number import greater
+from spec.rules.event import Nearing
+from spec.rules.settle import settle
+from spec.rules.step import Event, StepRules, go_on, lasting, next_instant, touching, unheld
+from spec.storeys import AtWall, Contact, Mark, Seat
+
+Ways = Mapping[int, Any]
+BEFORE = "nothing comes before the cut"
+
+
+def any_ways(given: Given, setting: Setting, world: StoreyWorld[Any]) -> Ways:
+    """Any ways of all up to a time at which nothing has come yet, when what touches is recorded."""
+    ways = {body: any_way(given, body) for body in setting.drives}
+    given.assume(every(shuts(mark, ways) for mark in touching(world)), CLOSED)
+    for one in nearings(world, ways):
+        given.assume(one.speed <= greater(one.room, one.room * 0), FIRST)
+    if world.circumference is not None:
+        for way in ways.values():
+            given.assume((way <= world.circumference) & (way * -1 <= world.circumference), ONCE)
+    return ways
+
+
+def what_is_recorded_touches(rules: StepRules, given: Given, setting: Setting) -> None:
+    """If what touches is recorded, and nothing else, it is so at the next instant, and at any time before."""
+    world = any_world(given, setting)
+    ways, marks = any_ways(given, setting, world), touching(world)
+    come = {one.mark for one in nearings(world, ways) if one.speed >= one.room and not isinstance(one.mark, Seat)}
+    left = go_on(world, ways, UNIT, marks) | come
+    given.ensure("what is recorded is what touches", left == touching(world))
+
+
+def what_comes_is_nearer(rules: StepRules, given: Given, setting: Setting) -> None:
+    """At the cut the same comes nearer as before, but for what has come: as fast, and its room is less by the way."""
+    world = any_world(given, setting)
+    ways = any_ways(given, setting, world)
+    before = list(nearings(world, ways))
+    come = {one.mark for one in before if one.speed >= one.room}
+    go_on(world, ways, UNIT, set())
+    after = {one.mark: one for one in nearings(world, ways) if one.mark not in come}
+    given.ensure("the same comes nearer", after.keys() == {one.mark for one in before} - come)
+    for one in before:
+        if one.mark in after:
+            given.ensure("it is as much nearer", after[one.mark].room == one.room - one.speed)
+            given.ensure("it comes as fast", after[one.mark].speed == one.speed)
+
+
+def who_is_held_has_room(rules: StepRules, given: Given, setting: Setting) -> None:
+    """Nobody that is held loses its support at once; and at the beginning of a step nobody that is held settles."""
+    world = any_world(given, setting)
+    for body, direction in product(setting.drives, Direction):
+        room = world.to_loss(body, direction)
+        given.ensure("it does not lose it at once", True if room is None else room > 0)
+    still = dict.fromkeys(setting.drives, UNIT * 0)
+    given.ensure("nobody settles", not list(settle(rules.settle, world, still, unheld(world))))
+
+
+def two_ways_are_one(rules: StepRules, given: Given, setting: Setting) -> None:
+    """Any way, and then another one in the same direction, lead where both do at once; and the same stays recorded."""
+    world = any_world(given, setting)
+    way, share = any_way(given, 0), any_way(given, 1)
+    given.assume(((way >= 0) & (share >= 0)) | ((way <= 0) & (share <= 0)), "it goes on in its direction")
+    if world.circumference is not None:
+        given.assume((way + share <= world.circumference) & ((way + share) * -1 <= world.circumference), ONCE)
+    other, both = world.copy(), way + share
+    for held, by in ((world, way), (world, share), (other, both)):
+        go_on(held, {0: by}, UNIT, set())
+    given.ensure("it is at the same place", alike(world, other))
+
+
+def records_last(rules: StepRules, given: Given) -> None:
+    """What is left of what is recorded after a while is left of it after another one with the same velocities."""
+    ways = {body: any_way(given, body) for body in (0, 1)}
+    left = lasting(ways, {Contact(0, 1), *(AtWall(0, 0, direction) for direction in Direction)})
+    given.ensure("the same is left", lasting(ways, left) == left)
+
+
+def time_goes_by(rules: StepRules, given: Given) -> None:
+    """What comes nearer comes, after a time in which it has not come, in what is left of the time."""
+    passed, left = given.number("time passed"), given.number("room left")
+    nearing: dict[str, Mark] = {
+        "contact": Contact(0, 1),
+        "wall": AtWall(0, 0, Direction.RIGHT),
+        "loss": Seat(0, 0, None),
+    }
+    for (name, mark), speed in product(nearing.items(), KNOWN_SPEEDS):
+        facts = Nearing(mark, left + passed * speed, speed)
+        before, after = (getattr(rules, name).choose(one).effect(one) for one in (facts, replace(facts, room=left)))
+        given.ensure(f"{name}: it comes in what is left of the time", after == before - passed)
+
+
+def instants_are_the_same(rules: StepRules, given: Given) -> None:
+    """The next instant of a step that is cut before it is that of the second of both; at a cut nothing else comes."""
+    left, cut = given.number("time left"), given.number("time up to the cut")
+    coming = [Event("", Seat(body, 0, None), given.number(f"time until {body} comes")) for body in range(3)]
+    some = [event for event in coming if given.flag(f"{event.mark.body} comes")]
+    whole = next_instant(some, left)
+    given.assume(cut <= whole.after, BEFORE)
+    first = next_instant(some, cut)
+    given.ensure("the first step ends at the cut", (first.after == cut) & first.last)
+    if cut >= whole.after:
+        given.ensure("what comes at the cut comes there", marks(first.events) == marks(whole.events))
+        return
+    given.ensure("nothing comes before the cut", not first.events)
+    second = next_instant([replace(event, after=event.after - cut) for event in some], left - cut)
+    given.ensure("the next instant is the same", second.after == whole.after - cut)
+    given.ensure("it is the last or not", second.last == whole.last)
+    given.ensure("the same comes at it", marks(second.events) == marks(whole.events))
+
+
+def marks(events: tuple[Event[Any], ...]) -> set[Mark]:
+    """What comes."""
+    return {event.mark for event in events}

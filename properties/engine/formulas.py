@@ -1,0 +1,51 @@
+"""Formulas of the solver: joined, told and asked without what its Python layer does to each argument of a call.
+
+There each argument is converted, although what is joined here are formulas already; that was half of the work of an
+exploration.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Any
+
+import z3
+
+
+def references(formulas: Sequence[z3.BoolRef]) -> Any:
+    """The solver's own references to formulas."""
+    return (z3.Ast * len(formulas))(*(formula.ast for formula in formulas))
+
+
+def joined(join: Callable[..., Any], formulas: Sequence[z3.BoolRef]) -> z3.BoolRef:
+    """Formulas of one context, of which there is at least one, joined."""
+    context = formulas[0].ctx
+    return z3.BoolRef(join(context.ref(), len(formulas), references(formulas)), context)
+
+
+def conjunction(*formulas: z3.BoolRef) -> z3.BoolRef:
+    """All of them hold."""
+    return joined(z3.Z3_mk_and, formulas) if formulas else z3.BoolVal(True)
+
+
+def disjunction(*formulas: z3.BoolRef) -> z3.BoolRef:
+    """One of them holds."""
+    return joined(z3.Z3_mk_or, formulas) if formulas else z3.BoolVal(False)
+
+
+def opposite(formula: z3.BoolRef) -> z3.BoolRef:
+    """It does not hold."""
+    return z3.BoolRef(z3.Z3_mk_not(formula.ctx.ref(), formula.ast), formula.ctx)
+
+
+def tell(solver: z3.Solver, *formulas: z3.BoolRef) -> None:
+    """Let a solver know that formulas hold."""
+    for formula in formulas:
+        z3.Z3_solver_assert(solver.ctx.ref(), solver.solver, formula.ast)
+
+
+def ask(solver: z3.Solver, *formulas: z3.BoolRef) -> z3.CheckSatResult:
+    """Whether formulas can hold together with what a solver knows."""
+    reference = solver.ctx.ref()
+    answer = z3.Z3_solver_check_assumptions(reference, solver.solver, len(formulas), references(formulas))
+    return z3.CheckSatResult(answer)

@@ -1,0 +1,16 @@
+"""Rounding: how far what is computed in floats may be from what the rules do in exact numbers.
+
+A rounding is the largest error of one sum: the unit roundoff, times the largest number in sight.
+"""
+
+from __future__ import annotations
+
+from spec.invariants import Relation
+
+NEARLY_EXACT = Relation(
+    "invariant/nearly-exact",
+    "In rounded arithmetic a request on one string puts every border as near to where exact numbers put it as 16 "
+    "roundings for each time that a border walks along an edge, however many bodies are pushed.",
+    "4.2, 6.2.1; R6, R20, R24",
+)
+OF_ROUNDING: tuple[Relation, ...] = (NEARLY_EXACT,)
