@@ -136,6 +136,7 @@ FROM_START = (
     stretches.stretches_keep_apart,
     stretches.what_touches_is_recorded,
     instants.no_time_changes_nothing,
+    instants.what_touches_is_recorded_when_settled,
     one_drive.supports_are_in_order,
     one_drive.no_wall_is_between,
 )
@@ -144,6 +145,7 @@ TIMES = (
     *of_steps(stretches.no_event_is_passed_over, stretches.room_is_used_up_in_time),
     *(of_window(stretches.what_touches_is_recorded, setting) for setting in WINDOWS[:4]),
     of_window(instants.no_time_changes_nothing, WINDOWS[0]),
+    of_window(instants.what_touches_is_recorded_when_settled, WINDOWS[0]),
     *of_steps(instants.what_has_not_parted_stays_recorded, instants.neighbours_stay_in_contact),
 )
 STRETCHES = (*CONTACTS, *TIMES, *(of_window(stretches.stretches_keep_apart, setting) for setting in WINDOWS))

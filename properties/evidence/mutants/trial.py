@@ -32,7 +32,7 @@ from spec.rule import GuardError
 SAME = "the same, proved wherever"
 CRASHING = "makes its evidence crash"
 EXAMPLES, ROWS = 100, "rows: random"
-SLOW = ("stretches/stretches-keep-apart", "stretches/settling-keeps-apart")
+SLOW = ("stretches/stretches-keep-apart", "stretches/settling-keeps-apart", "images/", "cuts/", "parting/")
 LONG = frozenset({"differences-have-causes"})
 KEPT = "what the witness broke is kept"
 SECONDS, MORE_SECONDS = 6, 30
