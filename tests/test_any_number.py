@@ -24,7 +24,7 @@ from properties.claims.repaired import (
     of_window,
 )
 from properties.closed_form import furthest, supports_in_one_row
-from properties.contracts import endings, growth, one_drive, stretches
+from properties.contracts import bounces, endings, one_drive, stretches
 from properties.contracts.request import judged
 from properties.engine.explore import explore
 from properties.evidence.courses import drive
@@ -217,10 +217,10 @@ def test_a_wall_between_supports_leaves_who_was_pushed_ahead_of_the_closed_form(
     assert not supports_in_one_row(world)
 
 
-def test_other_numbers_of_instants_than_those_of_towers_are_noticed():
-    carried = with_effect("wish", "wish/plane", lambda urge: urge.drive.speed + urge.carried)
-    with pytest.raises(AssertionError, match="2 carriers, boxes and riders"):
-        growth.instants_grow_as_a_cube(carried)
+def test_another_number_of_instants_than_that_of_bounces_is_noticed():
+    free = with_effect("meet", "row/squeezed", takes_part)
+    with pytest.raises(AssertionError, match="halvings"):
+        bounces.instants_have_no_bound(free)
 
 
 class Storey:

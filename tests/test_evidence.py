@@ -67,7 +67,7 @@ FLOORS_OF_VERDICTS = {
     TESTED: """
         rule-count invariants-judge step-invariants-judge storeys-are-measured long-rows-need-more losses-add-up
         queries-of-a-push queries-at-transitions long-strings walls-reached-exactly every-rule-fires
-        step-out-of-reach instants-grow differences-have-causes witnesses-mended
+        step-out-of-reach instants-have-no-bound differences-have-causes witnesses-mended
         no-energy-gained no-energy-gained/repaired stopping-way stopping-way/repaired invariants-at-any-velocity
         falls-end cuts-do-not-matter display-rules-fire circles-are-even nobody-drops-unseen
         designs-cost margins-are-for-floats
