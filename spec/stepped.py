@@ -607,6 +607,14 @@ STEP_FURTHEST = Relation(
     "beyond the room between them.",
     "6.2.1c; R20",
 )
+STEP_ONE_WAY = Relation(
+    "invariant/step-one-way",
+    "Where all that are driven on a line are driven one way at one speed, in the plane or on what stands, all may push "
+    "and nobody changes its support, each goes as far as the least of what the walls ahead allow and the greater of "
+    "its own wish and what the body behind it goes beyond the room between them; unless a wall stops what carries one "
+    "of a row, and another of that row is driven, or carried by another row.",
+    "1.1, 6.2.1c; R1, R20",
+)
 STEP_OUT_OF_REACH = Relation(
     "invariant/step-out-of-reach",
     "Bodies that a step cannot reach do not matter: they stay as they are, and without them the others move at the "
@@ -620,5 +628,6 @@ STEP_RELATIONS: tuple[Relation, ...] = (
     STEP_BODY_ORDER,
     STEP_RIDERS,
     STEP_FURTHEST,
+    STEP_ONE_WAY,
     STEP_OUT_OF_REACH,
 )

@@ -50,6 +50,7 @@ FLOORS_OF_VERDICTS = {
         step-progress step-squeezed step-one-key step-mirror step-split step-body-order step-riders
     """,
     BOUNDED: """
+        step-nearly-exact
         proxy-on-level-ground whole-rows terrain plane-apart-of-two horizontal-alone
         supports-end never-raised height-kept
         supports-end/overshoot never-raised/overshoot height-kept/overshoot
@@ -67,7 +68,7 @@ FLOORS_OF_VERDICTS = {
     TESTED: """
         rule-count invariants-judge step-invariants-judge storeys-are-measured long-rows-need-more losses-add-up
         queries-of-a-push queries-at-transitions long-strings walls-reached-exactly every-rule-fires
-        step-out-of-reach instants-have-no-bound differences-have-causes witnesses-mended
+        step-one-way step-out-of-reach instants-have-no-bound differences-have-causes witnesses-mended
         no-energy-gained no-energy-gained/repaired stopping-way stopping-way/repaired invariants-at-any-velocity
         falls-end cuts-do-not-matter display-rules-fire circles-are-even nobody-drops-unseen
         designs-cost margins-are-for-floats

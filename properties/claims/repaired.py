@@ -36,6 +36,7 @@ from spec.stepped import (
     STEP_MOTION,
     STEP_NOT_RAISED,
     STEP_ONE_KEY,
+    STEP_ONE_WAY,
     STEP_ORDER,
     STEP_OUT_OF_REACH,
     STEP_PROGRESS,
@@ -215,6 +216,7 @@ CLAIMS: tuple[Claim, ...] = (
     holds(STEP_INSTANTS, BOUNDED, *WHOLE_STEPS, long=True),
     holds(STEP_INSTANTS_OF_ONE, PROVED, *OF_ONE),
     holds(STEP_FURTHEST, PROVED, *FURTHEST),
+    holds(STEP_ONE_WAY, TESTED),
     holds(STEP_OUT_OF_REACH, TESTED),
     proved(
         "one-step-rule-applies",
