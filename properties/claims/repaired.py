@@ -215,8 +215,7 @@ CLAIMS: tuple[Claim, ...] = (
     holds(STEP_ONE_KEY, PROVED, *ROWS, *ONE_KEY),
     holds(STEP_INSTANTS, BOUNDED, *WHOLE_STEPS, long=True),
     holds(STEP_INSTANTS_OF_ONE, PROVED, *OF_ONE),
-    holds(STEP_FURTHEST, PROVED, *FURTHEST),
-    holds(STEP_ONE_WAY, TESTED),
+    *(holds(relation, PROVED, *FURTHEST) for relation in (STEP_FURTHEST, STEP_ONE_WAY)),
     holds(STEP_OUT_OF_REACH, TESTED),
     proved(
         "one-step-rule-applies",
@@ -241,8 +240,8 @@ CLAIMS: tuple[Claim, ...] = (
     Claim(
         id="claim/instants-have-no-bound",
         family="steps",
-        sentence="With several drives, instants have no bound in the numbers of bodies, storeys and pieces "
-        "of terrain: four bodies without terrain have as many as one likes.",
+        sentence="With several drives, instants have no bound in the numbers of bodies, storeys and pieces of terrain: "
+        "four bodies without terrain have as many as one likes.",
         source="6.2.1; R17",
         about=STEP_INSTANTS.id,
         profile=REPAIRED,
