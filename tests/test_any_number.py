@@ -12,6 +12,7 @@ import pytest
 from test_steps import with_effect
 
 from properties.claims.repaired import (
+    BOUNCES,
     FURTHEST,
     KEPT,
     LOSSES,
@@ -37,7 +38,10 @@ from spec.rules.row import full_speed, its_own, no_speed, stands_still, standsti
 from spec.rules.settle import Found, front_most
 from spec.storeys import Contact, Drive, Interval, Seat
 
-RESTS = {obligation.id: obligation for obligation in (*ROWS, *SETTLED, *STRETCHES, *TIMES, *FURTHEST, *KEPT, *MONOTONE)}
+RESTS = {
+    obligation.id: obligation
+    for obligation in (*ROWS, *SETTLED, *STRETCHES, *TIMES, *FURTHEST, *KEPT, *MONOTONE, *BOUNCES)
+}
 LATE = "stretches/room-is-used-up-in-time"
 FAR = "one_drive/bodies-go-as-far-as-they-may (right)"
 
@@ -114,6 +118,9 @@ FAULTS = {
 FAULTS |= {
     "who is fast stops behind a slower one": Fault(
         "way", "way/slower", standstill, "endings/faster-wishes-slow-nobody (right)", "it goes no slower"
+    ),
+    "nobody is squeezed above a slot": Fault(
+        "meet", "row/squeezed", takes_part, "bounces/two-bounces-make-way", "it loses the one, then the other"
     ),
     "who is faster passes less on": Fault(
         "relay",

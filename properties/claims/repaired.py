@@ -175,6 +175,7 @@ MONOTONE = (
     *(of_way(endings.faster_wishes_pass_on_no_less, ahead) for ahead in Direction),
     *(of_way(endings.faster_wishes_slow_nobody, ahead) for ahead in Direction),
 )
+BOUNCES = of_steps(bounces.two_bounces_make_way)
 ON_ANOTHER = WINDOWS[7]
 KEPT = (
     *of_steps(instants.what_has_not_parted_stays_recorded),
@@ -246,7 +247,8 @@ CLAIMS: tuple[Claim, ...] = (
         about=STEP_INSTANTS.id,
         profile=REPAIRED,
         premises=(),
-        expected=TESTED,
+        expected=PROVED,
+        obligations=BOUNCES,
         counts=(Count(name_of(bounces.instants_have_no_bound), bounces.instants_have_no_bound),),
     ),
     Claim(
