@@ -87,9 +87,9 @@ def undriven(path: Path, lines: Iterator[LineRecord]) -> Iterator[LineRecord]:
         yield line
 
 
-def read_lines(path: Path, content: Iterator[bytes], tops: Tops) -> Iterator[LineRecord]:
-    """The lines after the header of a trace; it may end in empty ones."""
-    for number, text in enumerate(content, start=1):
+def read_lines(path: Path, content: Iterator[bytes], tops: Tops, first: int = 1) -> Iterator[LineRecord]:
+    """The lines after the header of a trace, the first of them with a number; it may end in empty ones."""
+    for number, text in enumerate(content, start=first):
         where = f"{path}:{number + 1}"
         if not text.strip() and not any(rest.strip() for rest in content):
             return

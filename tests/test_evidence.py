@@ -40,7 +40,7 @@ FLOORS_OF_VERDICTS = {
         rest-is-kept-by-friction rest-is-kept-by-friction/repaired velocities-ask-for-their-way
         coefficient-of-friction coefficient-of-friction/repaired minimum-stops minimum-stops/repaired
         velocity-after-a-move velocity-after-a-move/repaired
-        tops-are-chosen drives-add-up step-furthest
+        tops-are-chosen drives-add-up step-furthest step-instants-of-one rows-are-monotone
         step-margin step-terrain step-support step-seat step-order step-motion step-not-raised step-bystanders
         step-progress step-squeezed step-one-key step-mirror step-split step-body-order step-riders
         one-display-rule-applies falls-are-smooth falls-arrive shown-upon-support turns-are-smooth centres-are-lawful
@@ -50,6 +50,7 @@ FLOORS_OF_VERDICTS = {
         step-progress step-squeezed step-one-key step-mirror step-split step-body-order step-riders
     """,
     BOUNDED: """
+        step-nearly-exact
         proxy-on-level-ground whole-rows terrain plane-apart-of-two horizontal-alone
         supports-end never-raised height-kept
         supports-end/overshoot never-raised/overshoot height-kept/overshoot
@@ -67,7 +68,7 @@ FLOORS_OF_VERDICTS = {
     TESTED: """
         rule-count invariants-judge step-invariants-judge storeys-are-measured long-rows-need-more losses-add-up
         queries-of-a-push queries-at-transitions long-strings walls-reached-exactly every-rule-fires
-        step-out-of-reach differences-have-causes witnesses-mended
+        step-one-way step-out-of-reach instants-grow differences-have-causes witnesses-mended
         no-energy-gained no-energy-gained/repaired stopping-way stopping-way/repaired invariants-at-any-velocity
         falls-end cuts-do-not-matter display-rules-fire circles-are-even nobody-drops-unseen
         designs-cost margins-are-for-floats

@@ -8,6 +8,8 @@ from fractions import Fraction
 from properties.claims.claim import Claim, Count, Obligation, Verdict
 from properties.claims.string import name_of, of_rules
 from properties.contracts import (
+    endings,
+    growth,
     instants,
     judging_steps,
     measuring,
@@ -29,10 +31,12 @@ from spec.stepped import (
     STEP_BYSTANDERS,
     STEP_FURTHEST,
     STEP_INSTANTS,
+    STEP_INSTANTS_OF_ONE,
     STEP_MARGIN,
     STEP_MOTION,
     STEP_NOT_RAISED,
     STEP_ONE_KEY,
+    STEP_ONE_WAY,
     STEP_ORDER,
     STEP_OUT_OF_REACH,
     STEP_PROGRESS,
@@ -138,6 +142,8 @@ FROM_START = (
     instants.no_time_changes_nothing,
     one_drive.supports_are_in_order,
     one_drive.no_wall_is_between,
+    endings.who_keeps_up_keeps_its_support,
+    endings.what_is_lost_stays_lost,
 )
 CONTACTS = of_steps(steps.contacts_do_not_close)
 TIMES = (
@@ -164,6 +170,18 @@ FURTHEST = (
     of_window(one_drive.supports_are_in_order, one_drive.TWO_ON_TWO),
     of_window(one_drive.no_wall_is_between, WINDOWS[2]),
 )
+
+MONOTONE = (
+    *(of_way(endings.faster_wishes_pass_on_no_less, ahead) for ahead in Direction),
+    *(of_way(endings.faster_wishes_slow_nobody, ahead) for ahead in Direction),
+)
+ON_ANOTHER = WINDOWS[7]
+KEPT = (
+    *of_steps(instants.what_has_not_parted_stays_recorded),
+    of_window(endings.who_keeps_up_keeps_its_support, ON_ANOTHER),
+    of_window(endings.what_is_lost_stays_lost, ON_ANOTHER),
+)
+OF_ONE = (*CONTACTS, *ROWS, *ONE_KEY, *KEPT, *of_steps(one_drive.wishes_go_one_way), *SETTLED)
 
 
 def holds(about: StepInvariant | Relation, expected: Verdict, *obligations: Obligation, long: bool = False) -> Claim:
@@ -196,7 +214,9 @@ CLAIMS: tuple[Claim, ...] = (
     *(holds(invariant, PROVED, *ROWS) for invariant in (STEP_BYSTANDERS, STEP_PROGRESS, STEP_SQUEEZED)),
     holds(STEP_ONE_KEY, PROVED, *ROWS, *ONE_KEY),
     holds(STEP_INSTANTS, BOUNDED, *WHOLE_STEPS, long=True),
+    holds(STEP_INSTANTS_OF_ONE, PROVED, *OF_ONE),
     holds(STEP_FURTHEST, PROVED, *FURTHEST),
+    holds(STEP_ONE_WAY, TESTED),
     holds(STEP_OUT_OF_REACH, TESTED),
     proved(
         "one-step-rule-applies",
@@ -217,6 +237,34 @@ CLAIMS: tuple[Claim, ...] = (
         "a wall.",
         "6.2.1b, 6.2.1c; R19, R20, R24",
         steps.contacts_do_not_close,
+    ),
+    Claim(
+        id="claim/instants-grow",
+        family="steps",
+        sentence="With several drives, the instants of a step may grow as the cube of its bodies: a tower of N "
+        "carriers, N boxes and N riders has N³ - N² + N + 1 of them, and one of 32 bodies more than 33 times 33.",
+        source="6.2.1; R17",
+        about=STEP_INSTANTS.id,
+        profile=REPAIRED,
+        premises=(),
+        expected=TESTED,
+        counts=tuple(
+            Count(name_of(program), program)
+            for program in (growth.instants_grow_as_a_cube, growth.instants_exceed_the_square)
+        ),
+        long=True,
+    ),
+    Claim(
+        id="claim/rows-are-monotone",
+        family="steps",
+        sentence="In a row of any length that does not close, who wishes to go faster to the right makes nobody slower "
+        "to the right.",
+        source="6.2.1c; R20",
+        about="row/pushed",
+        profile=REPAIRED,
+        premises=(),
+        expected=PROVED,
+        obligations=MONOTONE,
     ),
     proved(
         "squeezed-bodies-stand",

@@ -6,8 +6,11 @@ from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
+from itertools import chain, islice
 from pathlib import Path
 from typing import Protocol
+
+import numpy as np
 
 from properties.conformance.diagnosis import Trouble, diagnose
 from properties.conformance.judge import Difference, Finding, Judgement, expect, judge
@@ -22,6 +25,7 @@ from properties.conformance.log import (
     tolerance_of,
 )
 from properties.conformance.minimise import Reduction
+from properties.conformance.quick import look_of
 from properties.conformance.said import (
     of_the_events,
     of_the_grid,
@@ -31,11 +35,12 @@ from properties.conformance.said import (
     of_the_velocities,
 )
 from properties.conformance.stepping import OfChanges, OfSteps
-from reference.formats.files import FormatError, one_line
+from reference.formats.files import FormatError, one_line, pieces
+from reference.formats.level import tops_in
 from reference.formats.trace import LineRecord
 from reference.plan import check_plan, plan_of
 from reference.play import widths_of
-from reference.recording import Recording, following, read_trace, state_after
+from reference.recording import Recording, following, read_lines, read_trace, state_after
 from reference.rounding import tolerance as rounding
 from reference.simulator import Endless, Fulfilled
 from reference.world import LevelError, World
@@ -49,6 +54,7 @@ OF_STRINGS: tuple[Invariant, ...] = (NO_OVERLAP, RIGID_WIDTH)
 IN_PLANE: tuple[Invariant, ...] = (APART, PLANE_MARGIN, TERRAIN)
 MOST_IN_PLANE = 32
 ANY_SLACK = Fraction(1, 100)
+AT_ONCE = 1024
 
 
 @dataclass(frozen=True)
@@ -112,7 +118,7 @@ def validate(path: Path) -> Report:
     except LevelError as error:
         raise FormatError(one_line(f"{path}:1: {error}")) from None
     try:
-        for step, log_now, referee_now in steps_of(path, log, referee):
+        for step, log_now, referee_now in doubtful(path, log, referee, report):
             look_at(step, log_now, referee_now, grid, report)
     except Endless as error:
         report.unread = f"{path}:{step.number}: $: {error}"
@@ -145,15 +151,63 @@ def referee_after(log: Recording, referee: OfSteps) -> OfSteps:
     return replace(referee, plan=replace(referee.plan, level=log.level))
 
 
-def steps_of(path: Path, log: Recording, referee: Referee) -> Iterator[tuple[Step, Recording, Referee]]:
+def doubtful(path: Path, log: Recording, referee: Referee, report: Report) -> Iterator[Judged]:
+    """The steps of a log that are to be judged; those that a quick look finds to be beyond doubt are counted.
+
+    After an empty line, and after one with which a body comes or goes, all are.
+    """
+    look = look_of(log, referee) if isinstance(referee, OfSteps) else None
+    if look is None:
+        yield from steps_of(path, log, referee, World(log.level), 2)
+        return
+    content, number = pieces(path), 2
+    before = next(content, b"")
+    state: World[Fraction] | None = World(log.level)
+    while texts := list(islice(content, AT_ONCE)):
+        certain, done = look.certain([before, *texts], number - 1)[1:], 0
+        for place in np.flatnonzero(~certain).tolist():
+            report.found += Counter({Finding.AGREES: place - done})
+            if place > done or state is None:
+                state = state_of(path, log, texts[place - 1] if place else before, number + place - 1)
+            whole = not texts[place].strip() or comes_or_goes(texts[place])
+            some = chain(texts[place:], content) if whole else iter([texts[place]])
+            for judged in steps_of(path, with_lines(path, log, some, number + place), referee, state, number + place):
+                yield judged
+                state = judged[0].after
+            if whole:
+                return
+            done = place + 1
+        report.found += Counter({Finding.AGREES: len(texts) - done})
+        state = state if done == len(texts) else None
+        before, number = texts[-1], number + len(texts)
+
+
+def comes_or_goes(text: bytes) -> bool:
+    """Whether with a line a body may come or go."""
+    return b'"add"' in text or b'"remove"' in text or b"\\" in text
+
+
+def with_lines(path: Path, log: Recording, texts: Iterator[bytes], number: int) -> Recording:
+    """A log with other lines, which have yet to be read; the first has a number in the file."""
+    return replace(log, lines=read_lines(path, texts, tops_in(log.level), number - 1))
+
+
+def state_of(path: Path, log: Recording, text: bytes, number: int) -> World[Fraction]:
+    """The state after a line that is beyond doubt."""
+    (line,) = with_lines(path, log, iter([text]), number).lines
+    return world_after(log, line, f"{path}:{number}")
+
+
+def steps_of(path: Path, log: Recording, referee: Referee, state: World[Fraction], first: int) -> Iterator[Judged]:
     """The steps of a log, one after another, each with the level and the judge that it is for.
+
+    The lines of the log begin with a number in the file, after a state.
 
     Raises:
         FormatError: at the first line that is none.
         StateError: at the first line that says that its step ended in a state that no body can be in.
     """
-    state = World(log.level)
-    for number, line in enumerate(log.lines, start=2):
+    for number, line in enumerate(log.lines, start=first):
         if (line.add is not None or line.remove is not None) and isinstance(referee, OfSteps):
             log, before = replace(log, level=following(log.level, line)), referee
             referee = referee_after(log, referee)
@@ -192,6 +246,10 @@ class Referee(Protocol):
 
     def trouble(self, step: Step, log: Recording, judgement: Judgement, tolerance: Fraction, /) -> Trouble:
         """All that can be said of a step that diverges."""
+
+
+Judged = tuple[Step, Recording, Referee]
+"""A step that is to be judged, with the level and the judge that it is for."""
 
 
 @dataclass(frozen=True)

@@ -177,7 +177,8 @@ def settling_looks_alike(rules: StepRules, given: Given, setting: Setting, view:
     world: Any = any_places(given, setting)
     zero, lost = world.margin * 0, set()
     given.assume(every([margins_kept(world, zero), outside_terrain(world, zero)]), APART)
-    given.assume(WALLS_THICK.holds(world, zero), WALLS_THICK.id)
+    if view.turned:
+        given.assume(WALLS_THICK.holds(world, zero), WALLS_THICK.id)
     for body in setting.drives:
         holds = every([is_held(world, body, zero)])
         if given.flag(f"{body} has lost its support"):

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from properties.closed_form import furthest, supports_in_one_row
+from properties.closed_form import by_batch, furthest, supports_in_one_row
 from properties.evidence.courses import Ties, drive
 from properties.strategies.storeys import Outing
 from properties.worlds.changes import Drives, backwards, chosen, mirrored
@@ -24,6 +24,7 @@ from spec.stepped import (
     STEP_BODY_ORDER,
     STEP_FURTHEST,
     STEP_MIRROR,
+    STEP_ONE_WAY,
     STEP_OUT_OF_REACH,
     STEP_RIDERS,
     STEP_SPLIT,
@@ -139,6 +140,16 @@ def furthest_alike(rules: StepRules, outing: Outing, course: Course[Any]) -> boo
     return all(course.after.span(body).left - place.left == far[body] for body, place in enumerate(outing.places))
 
 
+def one_way_alike(rules: StepRules, outing: Outing, course: Course[Any]) -> bool:
+    """Each body is where a batch has it by its closed form, on what it stood on, if there is one."""
+    far = by_batch(outing.world(), outing.drives_by_body, outing.duration)
+    return far is None or all(
+        course.after.span(body).left == place.left + far[body] and seat(one.after, body) == seat(one.before, body)
+        for one in course.stretches
+        for body, place in enumerate(outing.places)
+    )
+
+
 def in_reach(outing: Outing, course: Course[Any]) -> Collection[int]:
     """The bodies that a step can reach."""
     world, drives = surveyed(course.before), course.stretches[0].drives
@@ -172,5 +183,6 @@ COMPARISONS = (
     Comparison(STEP_BODY_ORDER.id, order_alike),
     Comparison(STEP_RIDERS.id, riders_do_not_count),
     Comparison(STEP_FURTHEST.id, furthest_alike),
+    Comparison(STEP_ONE_WAY.id, one_way_alike),
 )
 IN_FLOATS_TOO = (Comparison(STEP_OUT_OF_REACH.id, rest_does_not_count),)

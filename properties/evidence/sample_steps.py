@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from fractions import Fraction
 from typing import Any
 
+from properties.closed_form import by_batch
 from properties.evidence.comparisons import COMPARISONS, IN_FLOATS_TOO, in_closed_form, in_reach
 from properties.evidence.courses import drive
 from properties.evidence.sample import FLOAT_TOLERANCE, ONE_RULE, Campaign, Sampling
@@ -34,6 +35,7 @@ FLOORS = {
     "one key": 0.1,
     "one that may not push": 0.2,
     "a closed form": 0.08,
+    "a closed form of a batch": 0.15,
     "one is out of reach": 0.1,
 }
 
@@ -90,6 +92,7 @@ def features(outing: Outing, course: Course[Any], fired: set[str]) -> Iterator[s
         "one key": key_of(outing.drives_by_body) is not None,
         "one that may not push": not all(place.pushes for place in outing.places),
         "a closed form": in_closed_form(outing, course),
+        "a closed form of a batch": by_batch(outing.world(), outing.drives_by_body, outing.duration) is not None,
         "one is out of reach": len(in_reach(outing, course)) < len(outing.places),
     }
     yield from (name for name, there in found.items() if there)

@@ -72,6 +72,7 @@ BY_HAND: dict[str, tuple[str, ...]] = {
         "self.spare > 0 and self.pushes and (self.neighbour is None or self.neighbour < self.margin)",
     ),
     "Way(motion.rest, blocked=False)": ("Way(distance, blocked=False)", "Way(motion.rest * 0, blocked=False)"),
+    "urge.drive.relative": ("urge.drive.relative and urge.carried >= urge.carried * 0",),
     "walk_freely(tow.walk, tow.view, tow.rear, tow.moved).at": (
         "tow.view.along(tow.rear, tow.moved)",
         "tow.view.along(tow.rear, tow.moved + tow.view.margin)",

@@ -1,0 +1,413 @@
+"""Many levels of storeys, stepped at once: where a step has a closed form by cumulative operations on arrays, storey by
+storey; from event to event where it has none.
+
+**Rows.** A row is here what is on a storey between two walls, in contact or not. Let the place of a body be the room
+that there is before it in its row, between all bodies and beyond their margins: bodies in contact are at one place.
+There, the first of a row comes as far as it wishes, and each other one as far as it wishes or the one behind it comes:
+a cumulative maximum. No body comes farther than the walls ahead of it and of all before it allow: a cumulative minimum
+from the front.
+
+**Why that is where events lead.** Let all that are driven be driven one way, at one speed, in the plane or on what does
+not move. Then every velocity is 0 or that speed. A body has come as far as it wished, until it is pushed; it comes
+farther than both only if it is pushed first, and is then carried on by its own support while what has pushed it stands.
+In a row in which no support moves this cannot be: who moves of its own does so to the end, or to a wall that all stop
+at who are in contact behind. Nor can it be where supports that move, once they do, move to the end. Nor where they are
+all of one row: of two of these, with anything that the one behind carries in contact with what the other one carries,
+the one ahead moves only while the one behind does, once that has begun; for if the one behind stops, it stands behind
+a wall, or what carries it does, and so does all in contact ahead of it. What they carry moves so too, and the next
+storey has what this one has. Else, a wall between two supports may stop one before the other begins, with a row above
+that reaches over the wall; so it does not fit, and events decide.
+
+**Supports.** How far a body slides on its support grows while the body is not stopped, and lessens when it is. So the
+greatest way that it slides is where it ends if nothing stops it, and less than its own way else. If that is less than
+what would make it lose its support, it keeps that.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from reference.stepping import run
+from reference.storeys import Place, StoreyWorld
+from spec.graph import Direction
+from spec.number import greater, lesser
+from spec.rules.step import StepRules
+from spec.storeys import Drive, Interval
+
+Array = NDArray[Any]
+
+
+@dataclass(frozen=True)
+class Standing:
+    """How the bodies of a line stand, in the order of the level: what does not change while none changes its support.
+
+    Attributes:
+        kinds: of each body the storey, its row, counted over all storeys, its place in that, the body that it stands
+            on (itself on the ground), and whether it stands on ground above the floor.
+        edges: of each body the walls between which it is, and the ends of the ground that holds it.
+    """
+
+    kinds: Array
+    edges: Array
+
+
+def standing(world: StoreyWorld[Any], dtype: Any) -> Standing:
+    """How the bodies of a line stand."""
+    pairs, found, row, place = set(world.neighbours()), dict[int, tuple[int, int]](), -1, 0
+    for storey in world.storeys():
+        before = -1
+        for body in world.row(storey):
+            row, place = (row, place + 1) if (before, body) in pairs else (row + 1, 0)
+            found[body], before = (row, place), body
+    kinds = [
+        (at.storey, *found[body], body if at.support is None else at.support, on_ground(at))
+        for body, at in enumerate(world.places)
+    ]
+    return Standing(np.array(kinds), np.array([edges_of(world, at) for at in world.places], dtype))
+
+
+def on_ground(place: Place[Any]) -> bool:
+    """Whether a body stands on ground above the floor."""
+    return place.support is None and place.storey > 0
+
+
+def edges_of(world: StoreyWorld[Any], place: Place[Any]) -> tuple[Any, Any, Any, Any]:
+    """The nearest walls on both sides of a body, and the ends of its ground; elsewhere the walls again."""
+    ends = world.terrain.ends
+    assert ends is not None
+    left, right = ends.left, ends.right
+    for solid in world.solid(place.storey):
+        if solid.left > place.left:
+            right = lesser(right, solid.left)
+        if solid.left < place.left:
+            left = greater(left, solid.right)
+    ground = ground_of(world, place) if on_ground(place) else Interval(left, right)
+    return left, right, ground.left, ground.right
+
+
+def ground_of(world: StoreyWorld[Any], place: Place[Any]) -> Interval[Any]:
+    """The ground that holds a body, with what follows it across gaps that the body does not fit into.
+
+    It ends where the body is if none holds it.
+    """
+    found: list[Interval[Any]] = []
+    for piece in sorted(world.terrain.ground(place.storey), key=lambda piece: piece.left):
+        if found and piece.left < found[-1].right + place.width:
+            found[-1] = Interval(found[-1].left, piece.right)
+        else:
+            found.append(piece)
+    holding = (piece for piece in found if piece.left < place.right and piece.right > place.left)
+    return next(holding, Interval(place.right, place.left))
+
+
+@dataclass(frozen=True)
+class Storey:
+    """The bodies of one storey of all levels: first those that are first in their rows, then those that are second.
+
+    Attributes:
+        bodies: where they are in the arrays.
+        pairs: of these, those at one place in their rows that have a body after them, and those bodies.
+        riders: those that stand on others.
+    """
+
+    bodies: slice
+    pairs: tuple[tuple[slice, slice], ...]
+    riders: Array
+
+
+@dataclass(frozen=True)
+class Layout:
+    """The bodies of many levels in an order in which each operation takes what is beside each other.
+
+    Attributes:
+        order: which bodies they are, of all; all else is in this order.
+        riders: those that stand on others.
+        fallers: those that stand on ground above the floor.
+    """
+
+    order: Array
+    level: Array
+    row: Array
+    width: Array
+    margin: Array
+    support: Array
+    edges: Array
+    storeys: tuple[Storey, ...]
+    riders: Array
+    fallers: Array
+
+
+def lay_out(
+    found: Sequence[Standing], bodies: Array, first: Array, level: Array, width: Array, margin: Array
+) -> Layout:
+    """Put the bodies of some levels in order: storey by storey, then by places in rows, longer rows first.
+
+    `bodies` are those whose standing is given, level by level, each with the `first` of its level; all else is of all.
+    """
+    storey, row, place, support, falls = np.concatenate([one.kinds for one in found]).T
+    row, support = row + first, support + first
+    length = np.bincount(row)
+    sort = np.lexsort((row, -length[row], place, storey))
+    order, whereabouts = bodies[sort], np.zeros(len(level), int)
+    whereabouts[order] = np.arange(len(order))
+    rides = (support != bodies)[sort]
+    storeys = tuple(storeys_of(storey[sort], place[sort], rides))
+    return Layout(
+        order,
+        level[order],
+        row[sort],
+        width[order],
+        margin[order],
+        whereabouts[support[sort]],
+        np.concatenate([one.edges for one in found])[sort].T.copy(),
+        storeys,
+        np.flatnonzero(rides),
+        np.flatnonzero(falls[sort]),
+    )
+
+
+def storeys_of(storey: Array, place: Array, rides: Array) -> Iterator[Storey]:
+    """The storeys of bodies that are in order."""
+    for one in np.unique(storey):
+        start, end = np.searchsorted(storey, [one, one + 1])
+        starts = np.searchsorted(place[start:end], np.arange(place[end - 1] + 2))
+        pairs = [
+            (slice(behind, behind + beyond - ahead), slice(ahead, beyond))
+            for behind, ahead, beyond in zip(starts, starts[1:], starts[2:], strict=False)
+        ]
+        yield Storey(slice(start, end), tuple(pairs), start + np.flatnonzero(rides[start:end]))
+
+
+@dataclass(frozen=True)
+class Drives:
+    """The drives of all bodies of a batch: their speeds, positive to the right, and whether they are relative."""
+
+    speed: Array
+    relative: Array
+
+
+def drives_of(drives: Iterable[Mapping[int, Drive[Any]]]) -> Drives:
+    """The drives of all bodies, from those of each level by its own handles."""
+    found = [of_level[body] for of_level in drives for body in range(len(of_level))]
+    dtype = np.float64 if isinstance(found[0].speed, float) else object
+    return Drives(np.array([one.speed for one in found], dtype), np.array([one.relative for one in found]))
+
+
+@dataclass(frozen=True)
+class Ways:
+    """How far bodies go by the closed form, positive to the right.
+
+    Attributes:
+        stopped: whether walls keep them from going as far as they wish or are pushed.
+        unclear: whether they need not go so far, since what carries and pushes them comes and goes.
+    """
+
+    far: Array
+    stopped: Array
+    unclear: Array
+
+
+def moves(far: Array) -> Array:
+    """Who goes anywhere."""
+    return (far > 0) | (far < 0)
+
+
+def ways(layout: Layout, left: Array, own: Array, relative: Array) -> Ways:
+    """How far bodies go that wish to go so far of their own, in the plane or relative to their supports."""
+    row, driven = layout.row, moves(own)
+    found = Ways(np.zeros_like(left), np.zeros(len(row), bool), np.zeros(len(row), bool))
+    in_driven, brief = np.zeros((2, 1 + row.max(initial=-1)), bool)
+    in_driven[row[driven]] = True
+    wish = own.copy()
+    for storey in layout.storeys:
+        carried = storey.riders[relative[storey.riders] & moves(found.far[layout.support[storey.riders]])]
+        support = layout.support[carried]
+        wish[carried] += found.far[support]
+        brief[row[carried[brief[row[support]]]]] = True
+        several = differ(row[carried], row[support], len(brief))
+        found.unclear[carried] = driven[carried] | (brief & (several | in_driven))[row[carried]]
+        sweep(layout, storey, left, wish, found)
+        brief[row[storey.bodies][found.stopped[storey.bodies]]] = True
+    return found
+
+
+def differ(groups: Array, values: Array, many: int) -> Array:
+    """Of each of so many groups whether its values differ."""
+    one, found = np.zeros(many, int), np.zeros(many, bool)
+    one[groups] = values
+    found[groups[one[groups] != values]] = True
+    return found
+
+
+def several_speeds(level: Array, speed: Array) -> Array:
+    """Who is driven at another speed than another body of its level."""
+    driven, one = moves(speed), np.zeros(1 + level.max(initial=-1), speed.dtype)
+    one[level[driven]] = speed[driven]
+    other: Array = speed != one[level]
+    return driven & other
+
+
+def sweep(layout: Layout, storey: Storey, left: Array, wish: Array, found: Ways) -> None:
+    """Let the rows of a storey go as far as they wish, are pushed, and walls allow."""
+    those = storey.bodies
+    place = rooms(layout, storey, left)
+    for direction in Direction:
+        far = wish[those] * direction
+        if not np.any(far > 0):
+            continue
+        room = to_walls(layout, left, those, direction)
+        start = place * direction
+        pushed, allowed = start + np.maximum(far, 0), start + np.maximum(room, 0)
+        accumulate(np.maximum, pushed, storey, direction)
+        accumulate(np.minimum, allowed, storey, direction.opposite)
+        found.far[those] += (np.minimum(pushed, allowed) - start) * direction
+        found.stopped[those] |= pushed > allowed
+
+
+def rooms(layout: Layout, storey: Storey, left: Array) -> Array:
+    """The room that there is in all before each body of a storey in its row, from the left."""
+    size, at = (layout.width + layout.margin)[storey.bodies], left[storey.bodies]
+    found = np.zeros_like(at)
+    for one, other in storey.pairs:
+        found[other] = found[one] + np.maximum(at[other] - (at[one] + size[one]), 0)
+    return found
+
+
+def to_walls(layout: Layout, left: Array, those: slice, direction: Direction) -> Array:
+    """How far bodies are from the walls on one side."""
+    left_walls, right_walls = layout.edges[:2, those]
+    right = left[those] + layout.width[those]
+    room: Array = right_walls - right if direction is Direction.RIGHT else left[those] - left_walls
+    return room
+
+
+def accumulate(operation: np.ufunc, values: Array, storey: Storey, direction: Direction) -> None:
+    """Replace each value along the rows of a storey by that of it and of those before it in a direction."""
+    for behind, ahead in storey.pairs[::direction]:
+        one, other = (behind, ahead) if direction is Direction.RIGHT else (ahead, behind)
+        operation(values[one], values[other], out=values[other])
+
+
+def lost(layout: Layout, left: Array, found: Ways, holding_on: Array, slack: Any) -> Array:
+    """Who may come as near as a slack to losing its support in a step, or does not have it.
+
+    `holding_on` are those that move of their own or with their supports.
+    """
+    result = np.zeros(len(left), bool)
+    riders, fallers, width = layout.riders, layout.fallers, layout.width
+    on = layout.support[riders]
+    far, under = found.far[riders], found.far[on]
+    ahead = np.where(found.stopped[riders] | ~holding_on[riders], far, far - under)
+    behind = np.where(holding_on[riders], far - under, under * -1)
+    room = left[on] + (width[on] + layout.margin[riders]) - left[riders]
+    room_left = left[riders] + (width[riders] + layout.margin[riders]) - left[on]
+    result[riders] = reaches((ahead * 0, ahead, behind), room_left, room, slack)
+    far = found.far[fallers]
+    room, room_left = (
+        layout.edges[3, fallers] - left[fallers],
+        left[fallers] + width[fallers] - layout.edges[2, fallers],
+    )
+    result[fallers] = reaches((far * 0, far), room_left, room, slack)
+    return result
+
+
+def reaches(ways: Sequence[Array], to_left: Array, to_right: Array, slack: Any) -> Array:
+    """Whether any of some ways comes as near as a slack to what there is on its side."""
+    found: Array = np.logical_or.reduce(
+        [(far + slack >= to_right) | (far * -1 + slack >= to_left) for far in ways],
+    )
+    return found
+
+
+def furthest(layout: Layout, left: Array, drives: Drives, durations: Array, slack: Any) -> tuple[Array, Array]:
+    """How far the bodies of a layout go, to the right, and which levels that is so for; places and drives are in order.
+
+    Who comes as near as `slack` to losing its support is as if it lost it.
+    """
+    speed, relative, level = drives.speed, drives.relative, layout.level
+    found = ways(layout, left, speed * durations[level], relative)
+    fits = np.ones(len(durations), bool)
+    fits[level[found.unclear | several_speeds(level, speed)]] = False
+    fits[level[lost(layout, left, found, relative | moves(speed), slack)]] = False
+    return found.far, fits
+
+
+class Batch:
+    """Many levels of storeys, in the kind of numbers that the first of them has: floats, or any in arrays of objects.
+
+    Bodies are counted through all levels: those of a level begin at `first`.
+    """
+
+    def __init__(self, worlds: Sequence[StoreyWorld[Any]], rules: StepRules) -> None:
+        """Take the levels as they are; the rules are for steps without a closed form."""
+        dtype = np.float64 if isinstance(worlds[0].margin, float) else object
+        self.rules, self.worlds = rules, [world.copy() for world in worlds]
+        sizes = np.array([len(world.places) for world in worlds])
+        places = [place for world in worlds for place in world.places]
+        self.first, self.level = np.cumsum(sizes) - sizes, np.repeat(np.arange(len(worlds)), sizes)
+        self.left = np.array([place.left for place in places], dtype)
+        self.width = np.array([place.width for place in places], dtype)
+        self.margin = np.array([world.margin for world in worlds], dtype)[self.level]
+        self.plain = np.array([is_plain(world) for world in worlds])
+        self.standing = {i: standing(worlds[i], dtype) for i in np.flatnonzero(self.plain).tolist()}
+        self.layout = self.lay_out()
+
+    def lay_out(self) -> Layout:
+        """Put the bodies of all levels that may have a closed form in order, as they stand."""
+        bodies = np.flatnonzero(self.plain[self.level])
+        none = Standing(np.zeros((0, 5), int), np.zeros((0, 4), self.left.dtype))
+        found = [none, *(self.standing[i] for i in sorted(self.standing))]
+        return lay_out(found, bodies, self.first[self.level[bodies]], self.level, self.width, self.margin)
+
+    def world(self, level: int) -> StoreyWorld[Any]:
+        """The storeys of a level as they are now."""
+        world, start = self.worlds[level].copy(), self.first[level]
+        lefts = self.left[start : start + len(world.places)].tolist()
+        world.places = [replace(place, left=left) for place, left in zip(world.places, lefts, strict=True)]
+        return world
+
+    def step(self, drives: Drives, durations: Array, slack: Any = 0) -> Array:
+        """Drive all bodies of each level for a time of its own; return for which levels there was a closed form.
+
+        Who would come as near as `slack` to losing its support goes by events: in floats it may be lost or not.
+
+        Raises:
+            Endless: if rules are chosen too often.
+        """
+        far, fits = self.furthest(drives, durations, slack)
+        self.left[self.layout.order] += np.where(fits[self.layout.level], far, 0)
+        changed = [self.by_events(level, drives, durations[level]) for level in np.flatnonzero(~fits).tolist()]
+        if any(changed):
+            self.layout = self.lay_out()
+        return fits
+
+    def furthest(self, drives: Drives, durations: Array, slack: Any = 0) -> tuple[Array, Array]:
+        """How far each body of the layout goes, to the right, and which levels that is so for."""
+        order = self.layout.order
+        far, fits = furthest(
+            self.layout, self.left[order], Drives(drives.speed[order], drives.relative[order]), durations, slack
+        )
+        return far, fits & self.plain
+
+    def by_events(self, level: int, drives: Drives, duration: Any) -> bool:
+        """Drive the bodies of a level from event to event; whether any stands otherwise then."""
+        world, start = self.world(level), self.first[level]
+        bodies = slice(start, start + len(world.places))
+        pairs = zip(drives.speed[bodies].tolist(), drives.relative[bodies].tolist(), strict=True)
+        run(self.rules, world, {body: Drive(*pair) for body, pair in enumerate(pairs)}, duration)
+        self.worlds[level], self.left[bodies] = world, [place.left for place in world.places]
+        if not self.plain[level]:
+            return False
+        before, now = self.standing[level], standing(world, self.left.dtype)
+        self.standing[level] = now
+        return not (np.array_equal(before.kinds, now.kinds) and np.array_equal(before.edges, now.edges))
+
+
+def is_plain(world: StoreyWorld[Any]) -> bool:
+    """Whether a level may have closed forms: it is a line, and all may push."""
+    return world.circumference is None and all(place.pushes for place in world.places)

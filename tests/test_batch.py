@@ -1,0 +1,191 @@
+"""The batch: its closed form against the events, where it fits and where not, in exact numbers and in floats."""
+
+from dataclasses import replace
+from fractions import Fraction
+
+import numpy as np
+import pytest
+
+from properties.closed_form import by_batch
+from properties.evidence.comparisons import one_way_alike
+from properties.evidence.courses import drive
+from properties.strategies.storeys import Outing, outing
+from properties.worlds.changes import backwards, floating, in_floats, mirrored
+from reference import batch as batches
+from reference.batch import Batch, Drives, drives_of
+from reference.rounding import ROUNDINGS, UNIT_ROUNDOFF
+from reference.storeys import Place, StoreyWorld, Terrain
+from spec.profiles import REPAIRED
+from spec.storeys import Drive, Interval
+
+ZERO = Fraction(0)
+STILL = Drive(ZERO)
+
+
+def solid(*pieces):
+    """Terrain on one storey."""
+    return tuple(Interval(Fraction(left), Fraction(right)) for left, right in pieces)
+
+
+def line(length, storeys, *bodies):
+    """A line with terrain on its storeys, and bodies: storey, left border, width, support."""
+    places = [Place(storey, Fraction(left), Fraction(width), on) for storey, left, width, on in bodies]
+    return StoreyWorld(Terrain(storeys, Interval(Fraction(0), Fraction(length))), Fraction(1, 4), places)
+
+
+def driven(world, **speeds):
+    """One body is driven in the plane, all others stand."""
+    walking = {int(name[1:]): Drive(Fraction(speed), relative=False) for name, speed in speeds.items()}
+    return dict.fromkeys(range(len(world.places)), STILL) | walking
+
+
+def lefts(world):
+    """Where all bodies are."""
+    return [place.left for place in world.places]
+
+
+def seats(world):
+    """What all bodies stand on."""
+    return [(place.storey, place.support) for place in world.places]
+
+
+def by_events(world, drives, duration):
+    """The world after a step from event to event."""
+    return drive(REPAIRED.rules, world, drives, duration, duration * 0).after
+
+
+def outings(many, first=0):
+    """Random worlds and steps, with one to eight bodies."""
+    made = (outing(first + seed, 1 + seed % 8, seed % 4) for seed in range(many))
+    return [one for one in made if one.places]
+
+
+OVER_A_WALL = line(
+    30,
+    ((), solid((5, Fraction(11, 2)))),
+    (0, 0, 6, None),
+    (0, Fraction(33, 4), 5, None),
+    (1, 2, Fraction(5, 2), 0),
+    (1, 6, 5, 1),
+    (2, 3, 2, 2),
+    (2, Fraction(21, 4), 2, 3),
+)
+"""One rider is stopped by a wall before the next one sets off, and what they carry is in contact above that wall."""
+
+ABOVE = (Drive(Fraction(1), relative=False), *[STILL] * 5)
+
+
+def test_a_row_above_a_wall_that_stops_one_support_before_the_other_begins_has_no_closed_form():
+    drives = dict(enumerate(ABOVE))
+    moved = by_events(OVER_A_WALL, drives, Fraction(4)).places[5].left - OVER_A_WALL.places[5].left
+    assert moved == Fraction(5, 2)
+    assert by_batch(OVER_A_WALL, drives, Fraction(4)) is None
+    assert by_batch(mirrored(OVER_A_WALL), backwards(drives), Fraction(4)) is None
+    quarter = Fraction(1, 4)
+    assert by_batch(OVER_A_WALL, drives, quarter) == {0: quarter, 1: 0, 2: quarter, 3: 0, 4: quarter, 5: quarter}
+
+
+def test_several_that_walk_at_one_speed_have_a_closed_form_and_two_speeds_have_none():
+    world = line(30, (), (0, 1, 1, None), (0, 4, 1, None), (1, 4, 1, 1), (0, 7, 1, None))
+    drives = driven(world, b0=2, b1=2)
+    far = by_batch(world, drives, Fraction(3, 2))
+    assert far == {0: 3, 1: 3, 2: 3, 3: Fraction(5, 4)}
+    assert by_batch(world, driven(world, b0=2, b1=1), Fraction(3, 2)) is None
+    assert by_batch(world, driven(world, b0=1, b1=-1), Fraction(1, 8)) is None
+
+
+def test_who_just_loses_its_support_at_the_end_of_a_step_goes_by_events():
+    world = line(30, (solid((0, 5)),), (1, 3, 1, None))
+    assert by_batch(world, driven(world, b0=1), Fraction(2)) is None
+    assert by_batch(world, driven(world, b0=1), Fraction(15, 8)) == {0: Fraction(15, 8)}
+    rider = line(30, (), (0, 3, 1, None), (1, 3, 1, 0))
+    assert by_batch(rider, driven(rider, b1=-1), Fraction(5, 4)) is None
+    assert by_batch(rider, driven(rider, b1=-1), Fraction(1)) == {0: 0, 1: -1}
+
+
+def test_a_hole_holds_who_does_not_fit_into_it():
+    world = line(30, (solid((0, 5), (6, 9)),), (1, 3, 2, None))
+    assert by_batch(world, driven(world, b0=1), Fraction(5)) == {0: 5}
+    assert by_batch(line(30, (solid((0, 5), (7, 9)),), (1, 3, 2, None)), driven(world, b0=1), Fraction(5)) is None
+
+
+def test_a_rider_that_is_pushed_off_its_support_before_that_follows_it_to_a_wall_goes_by_events():
+    bodies = (0, 0, 6, None), (0, 10, 1, None), (1, 6, 3, 0), (1, Fraction(19, 2), 1, 1)
+    world = line(30, ((), solid((13, 14))), *bodies)
+    drives, duration = driven(world, b0=1), Fraction(23, 4)
+    assert by_events(world, drives, duration).places[3].storey == 0
+    assert by_batch(world, drives, duration) is None
+    assert by_batch(world, drives, Fraction(3, 2)) == {0: Fraction(3, 2), 1: 0, 2: Fraction(3, 2), 3: Fraction(5, 4)}
+
+
+@pytest.mark.parametrize("first", [0, pytest.param(10_000, marks=pytest.mark.slow)])
+def test_many_levels_at_once_are_where_events_lead_in_exact_numbers(first):
+    made = outings(200 if first == 0 else 6000, first)
+    batch = Batch([one.world() for one in made], REPAIRED.rules)
+    drives, durations = drives_of([one.drives_by_body for one in made]), np.array([one.duration for one in made])
+    for _ in range(2):
+        before = [batch.world(level) for level in range(len(made))]
+        fits = batch.step(drives, durations)
+        assert 0.1 < fits.mean() < 0.5
+        for level, one in enumerate(made):
+            after = by_events(before[level], one.drives_by_body, one.duration)
+            assert batch.world(level).places == after.places
+            assert batch.world(level).rows == after.rows
+
+
+@pytest.mark.parametrize("many", [300, pytest.param(8000, marks=pytest.mark.slow)])
+def test_many_levels_at_once_are_within_roundings_of_where_events_lead_exactly(many):
+    made = outings(many, 50_000)
+    batch = Batch([in_floats(one.world()) for one in made], REPAIRED.rules)
+    drives, durations = drives_of([floating(one.drives_by_body) for one in made]), [float(one.duration) for one in made]
+    before = [exactly(batch.world(level)) for level in range(len(made))]
+    fits = batch.step(drives, np.array(durations), slack=2.0**-40)
+    assert fits.mean() > 0.1
+    for level in np.flatnonzero(fits).tolist():
+        after = by_events(before[level], made[level].drives_by_body, Fraction(durations[level]))
+        assert seats(after) == seats(before[level])
+        most = UNIT_ROUNDOFF["float64"] * ROUNDINGS * max(after.ends.right, after.ends.left)
+        off = [abs(Fraction(now) - right) for now, right in zip(lefts(batch.world(level)), lefts(after), strict=True)]
+        assert max(off) <= most
+
+
+def exactly(world):
+    """A world of floats in exact numbers."""
+    ends, margin = world.ends, Fraction(world.margin)
+    storeys = tuple(solid(*((one.left, one.right) for one in storey)) for storey in world.terrain.solid)
+    places = [replace(one, left=Fraction(one.left), width=Fraction(one.width)) for one in world.places]
+    round_ = world.circumference
+    terrain = Terrain(
+        storeys, ends and Interval(Fraction(ends.left), Fraction(ends.right)), round_ and Fraction(round_)
+    )
+    return StoreyWorld(terrain, margin, places)
+
+
+def test_in_floats_who_stands_stays_to_the_bit_and_rows_do_not_creep():
+    bodies = [(0, Fraction(1 + 6 * i, 10), Fraction(1, 3), None) for i in range(10)]
+    batch = Batch([in_floats(line(30, (), *bodies))], REPAIRED.rules)
+    drives = drives_of([{0: Drive(1.0)} | {body: Drive(0.0) for body in range(1, 10)}])
+    batch.step(drives, np.array([3.3]))
+    rest = batch.left.copy()
+    for _ in range(100):
+        batch.step(Drives(drives.speed * 0, drives.relative), np.array([1.0]))
+    assert np.array_equal(batch.left, rest)
+
+
+WRONG = {
+    "rooms": lambda layout, storey, left, right=batches.rooms: right(layout, storey, left) * 0,
+    "lost": lambda layout, left, *rest: np.zeros(len(left), bool),
+    "several_speeds": lambda level, speed: np.zeros(len(level), bool),
+    "differ": lambda groups, values, many: np.zeros(many, bool),
+    "accumulate": lambda operation, values, storey, direction: None,
+}
+
+
+@pytest.mark.parametrize("name", WRONG)
+def test_a_wrong_batch_is_not_where_events_lead(monkeypatch, name):
+    above = Outing(OVER_A_WALL.terrain, OVER_A_WALL.margin, tuple(OVER_A_WALL.places), ABOVE, Fraction(4), ZERO, ())
+    made = [*outings(150), above]
+    courses = [drive(REPAIRED.rules, one.world(), one.drives_by_body, one.duration, ZERO) for one in made]
+    assert all(one_way_alike(REPAIRED.rules, *pair) for pair in zip(made, courses, strict=True))
+    monkeypatch.setattr(batches, name, WRONG[name])
+    assert not all(one_way_alike(REPAIRED.rules, *pair) for pair in zip(made, courses, strict=True))
