@@ -77,6 +77,14 @@ def test_what_a_request_says_is_rounded():
     assert explore(partial(judged, less, THESIS)).counterexample is not None
 
 
+def test_a_push_on_one_edge_loses_5_roundings_of_the_margin_and_2_more_each_time():
+    for direction in Direction:
+        push = partial(rounding.push_keeps_the_margin_nearly, direction=direction)
+        assert explore(partial(judged, push, THESIS)).proved
+        for fewer in ({"apart": 4}, {"nearer": 1}):
+            assert explore(partial(judged, partial(push, **fewer), THESIS)).counterexample is not None
+
+
 @pytest.mark.parametrize("event", EVENTS[1::4], ids=lambda one: one.id)
 def test_events_come_nearly_when_they_should(event):
     assert explore(partial(judged, event.program, REPAIRED)).proved
