@@ -56,7 +56,7 @@ FLOORS_OF_VERDICTS = {
         rest-up-to-the-coefficient rest-up-to-the-printed-slope way-without-friction way-without-friction/repaired
         drag-leaves-a-part drag-leaves-a-part/repaired drag-takes-by-the-way
         enough-for-the-plane enough-for-the-plane/overshoot enough-for-three enough-for-three/overshoot
-        step-instants whole-steps requests-end-alike
+        step-one-way step-instants whole-steps requests-end-alike
         designs-agree designs-agree-on-rings discrete-turns discrete-turns-are-steps discrete-turns-are-steps-of-more
         order-without-width order-without-width/no-falls trouble-is-gone/no-falls trouble-is-gone/no-collisions
         trouble-is-gone/no-width trouble-is-gone/no-collisions/no-falls trouble-is-gone/no-collisions/no-width
@@ -67,7 +67,6 @@ FLOORS_OF_VERDICTS = {
     TESTED: """
         rule-count invariants-judge step-invariants-judge storeys-are-measured long-rows-need-more losses-add-up
         queries-of-a-push queries-at-transitions long-strings walls-reached-exactly every-rule-fires
-        step-one-way
         step-out-of-reach differences-have-causes witnesses-mended
         no-energy-gained no-energy-gained/repaired stopping-way stopping-way/repaired invariants-at-any-velocity
         falls-end cuts-do-not-matter display-rules-fire circles-are-even nobody-drops-unseen
