@@ -8,6 +8,7 @@ from fractions import Fraction
 from properties.claims.claim import Claim, Count, Obligation, Verdict
 from properties.claims.string import name_of, of_rules
 from properties.contracts import (
+    batches,
     bounces,
     endings,
     instants,
@@ -69,6 +70,8 @@ SQUEEZE = Setting("a squeeze", (Member(0, RIGHT), Member(0, STILL), Member(0, LE
 THREE = Setting("a push of two", (Member(0, RIGHT), Member(0, STILL), Member(0, STILL)))
 NO_PUSH = Setting("one that may not push", (Member(0, FAST), Member(0, STILL, pushes=False), Member(0, LEFT)))
 RING_OF_THREE = Setting("a push of two on a ring", (Member(0, RIGHT), Member(0, STILL), Member(0, STILL)), ring=True)
+TOGETHER = Setting("two that walk together", (Member(0, RIGHT), Member(0, RIGHT)))
+TO_THE_LEFT = Setting("a push to the left", (Member(0, STILL), Member(0, LEFT)))
 PUSHED_OFF = Setting("a push off a ledge", (Member(1, RIGHT), Member(1, STILL)), (1,))
 PUSHED_RIDE = Setting("a push of a carrier", (Member(0, RIGHT), Member(0, STILL), Member(1, STILL, 1)))
 SLIDE = Setting("a slide on a walker", (Member(0, RIGHT), Member(1, SLIDES, 0)), (1,))
@@ -113,6 +116,10 @@ def of_steps(*programs: Callable[[StepRules, Given], None]) -> tuple[Obligation,
 WHOLE_STEPS = tuple(of_setting(steps.steps_keep_the_invariants, setting) for setting in SMALL)
 LARGER_STEPS = tuple(of_setting(steps.steps_keep_the_invariants, setting) for setting in LARGER)
 MIRRORED = tuple(of_setting(steps.steps_have_mirror_images, one) for one in (ALONE, PUSH, CHASE, RIDE))
+BATCHES = tuple(
+    of_setting(batches.batches_end_where_events_lead, one)
+    for one in (ALONE, PIT, PUSH, TO_THE_LEFT, TOGETHER, RIDE, THREE)
+)
 SPLIT = tuple(of_setting(steps.steps_may_be_split, one) for one in (ALONE, PUSH, TOWARDS))
 
 
@@ -320,6 +327,17 @@ CLAIMS: tuple[Claim, ...] = (
         premises=(),
         expected=TESTED,
         counts=(Count("counts/storeys-are-measured", measuring.storeys_are_measured),),
+    ),
+    Claim(
+        id="claim/batches-end-alike",
+        family="steps",
+        sentence="A batch ends where whole steps of small worlds do, wherever it says that they have a closed form.",
+        source=STEP_ONE_WAY.source,
+        about=STEP_ONE_WAY.id,
+        profile=REPAIRED,
+        premises=(START,),
+        expected=BOUNDED,
+        obligations=BATCHES,
     ),
     Claim(
         id="claim/whole-steps",
