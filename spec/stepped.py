@@ -18,8 +18,8 @@ from spec.number import N, Truth, greater, zero_like
 from spec.plane import negated
 from spec.storeys import Drive, Interval, Survey, short_way
 
-FEW = 8
-"""Of so many bodies, at most, the bound on instants speaks that holds where it was tried."""
+FEW = 3
+"""The bound on instants that holds where it was tried speaks of so many bodies at most: of four there is none."""
 
 
 @dataclass(frozen=True)
@@ -373,7 +373,7 @@ def instants_bounded(course: Course[N]) -> Truth:
     over one of p + 1 pieces and ends or of n bodies; the bound says that, all together, each body does that no more
     than once for each of these, and on a ring once more for each round that the bodies' drives lead round it. That a
     body and its support may part more than once makes this a bound that holds where it was tried, not one with a proof.
-    Of many bodies it is false.
+    Of four bodies it is false, and so is any.
     """
     world = course.before
     bodies = bodies_of(world)
@@ -542,7 +542,7 @@ STEP_ONE_KEY = of_step(
 )
 STEP_INSTANTS = of_step(
     "instants",
-    "A step of up to eight bodies has no more instants at which something comes than its bodies and one, times its "
+    "A step of up to three bodies has no more instants at which something comes than its bodies and one, times its "
     "bodies, its pieces of terrain and one, times the rounds of a ring that its drives lead and one.",
     "6.2.1; R17",
     instants_bounded,

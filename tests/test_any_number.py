@@ -12,6 +12,7 @@ import pytest
 from test_steps import with_effect
 
 from properties.claims.repaired import (
+    BOUNCES,
     FURTHEST,
     KEPT,
     LOSSES,
@@ -24,7 +25,7 @@ from properties.claims.repaired import (
     of_window,
 )
 from properties.closed_form import furthest, supports_in_one_row
-from properties.contracts import endings, growth, one_drive, stretches
+from properties.contracts import bounces, endings, one_drive, stretches
 from properties.contracts.request import judged
 from properties.engine.explore import explore
 from properties.evidence.courses import drive
@@ -37,7 +38,10 @@ from spec.rules.row import full_speed, its_own, no_speed, stands_still, standsti
 from spec.rules.settle import Found, front_most
 from spec.storeys import Contact, Drive, Interval, Seat
 
-RESTS = {obligation.id: obligation for obligation in (*ROWS, *SETTLED, *STRETCHES, *TIMES, *FURTHEST, *KEPT, *MONOTONE)}
+RESTS = {
+    obligation.id: obligation
+    for obligation in (*ROWS, *SETTLED, *STRETCHES, *TIMES, *FURTHEST, *KEPT, *MONOTONE, *BOUNCES)
+}
 LATE = "stretches/room-is-used-up-in-time"
 FAR = "one_drive/bodies-go-as-far-as-they-may (right)"
 
@@ -114,6 +118,9 @@ FAULTS = {
 FAULTS |= {
     "who is fast stops behind a slower one": Fault(
         "way", "way/slower", standstill, "endings/faster-wishes-slow-nobody (right)", "it goes no slower"
+    ),
+    "nobody is squeezed above a slot": Fault(
+        "meet", "row/squeezed", takes_part, "bounces/two-bounces-make-way", "it loses the one, then the other"
     ),
     "who is faster passes less on": Fault(
         "relay",
@@ -217,10 +224,10 @@ def test_a_wall_between_supports_leaves_who_was_pushed_ahead_of_the_closed_form(
     assert not supports_in_one_row(world)
 
 
-def test_other_numbers_of_instants_than_those_of_towers_are_noticed():
-    carried = with_effect("wish", "wish/plane", lambda urge: urge.drive.speed + urge.carried)
-    with pytest.raises(AssertionError, match="2 carriers, boxes and riders"):
-        growth.instants_grow_as_a_cube(carried)
+def test_another_number_of_instants_than_that_of_bounces_is_noticed():
+    free = with_effect("meet", "row/squeezed", takes_part)
+    with pytest.raises(AssertionError, match="halvings"):
+        bounces.instants_have_no_bound(free)
 
 
 class Storey:

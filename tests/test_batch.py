@@ -6,7 +6,10 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
+from properties.claims.repaired import BATCHES
 from properties.closed_form import by_batch
+from properties.contracts.request import judged
+from properties.engine.explore import explore
 from properties.evidence.comparisons import one_way_alike
 from properties.evidence.courses import drive
 from properties.strategies.storeys import Outing, outing
@@ -189,3 +192,15 @@ def test_a_wrong_batch_is_not_where_events_lead(monkeypatch, name):
     assert all(one_way_alike(REPAIRED.rules, *pair) for pair in zip(made, courses, strict=True))
     monkeypatch.setattr(batches, name, WRONG[name])
     assert not all(one_way_alike(REPAIRED.rules, *pair) for pair in zip(made, courses, strict=True))
+
+
+def test_a_wrong_batch_is_refuted(monkeypatch):
+    pushes = next(one for one in BATCHES if "(a push)" in one.id)
+    outcome = explore(lambda given: judged(pushes.program, REPAIRED, given))
+    assert outcome.exhaustive
+    assert outcome.counterexample is None
+    assert outcome.promises > 0
+    monkeypatch.setattr(batches, "rooms", WRONG["rooms"])
+    outcome = explore(lambda given: judged(pushes.program, REPAIRED, given))
+    assert outcome.counterexample is not None
+    assert "they are so far on" in outcome.counterexample.broken

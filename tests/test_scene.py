@@ -17,6 +17,7 @@ from properties.evidence.comparisons import rest_does_not_count
 from properties.evidence.sample_steps import course_of
 from properties.strategies.storeys import outing
 from properties.worlds.changes import in_floats
+from reference.play import library, play
 from reference.scene import Reach, Scene
 from reference.stepping import StepGame, run_in_reach
 from reference.storeys import Place, StoreyWorld, Terrain
@@ -90,6 +91,29 @@ def test_a_game_costs_the_same_whoever_stands_by():
     assert few == many
     assert [move.moved for move in many] == [ONE / 50, Fraction(5, 2)]
     assert many[-1].depth == 4
+
+
+class Whole(Reach):
+    """Everybody is in reach."""
+
+    def __init__(self, scene, driven, duration):
+        self.ways = {body: {} for body in range(len(scene.world.places))}
+
+
+def told(path, floats):
+    """What came of each step of a scenario, but for the work that it took."""
+    return [
+        (one.bodies, one.pressed, one.happened, [replace(move, work={}) for move in one.moves])
+        for one in play(path, floats).steps
+    ]
+
+
+@pytest.mark.parametrize("floats", [False, True])
+def test_scenarios_are_told_as_if_all_were_in_reach(monkeypatch, floats):
+    paths = [path for path in library() if isinstance(play(path).game, StepGame)]
+    found = [told(path, floats) for path in paths]
+    monkeypatch.setattr("reference.stepping.Reach", Whole)
+    assert [told(path, floats) for path in paths] == found
 
 
 @pytest.mark.parametrize("seed", range(10))

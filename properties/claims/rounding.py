@@ -13,7 +13,7 @@ from properties.worlds.storeys import Member, Setting
 from spec.conditions import EDGES_LONG, IN_ORDER, ONE_STRING, STOREYS_START
 from spec.graph import Direction
 from spec.profiles import REPAIRED, THESIS
-from spec.rounding import NEARLY_EXACT, STEP_NEARLY_EXACT
+from spec.rounding import MARGIN_NEARLY_KEPT, NEARLY_EXACT, STEP_NEARLY_EXACT
 from spec.storeys import Drive
 
 STRING, ORDERED, LONG = ONE_STRING.id, IN_ORDER.id, EDGES_LONG.id
@@ -42,12 +42,24 @@ NEARLY = (
     ),
 )
 
+
+def of_push(direction: Direction) -> Obligation:
+    """An obligation on whoever pushes on one edge, in a direction."""
+
+    def of_profile(profile: Any, given: Any) -> None:
+        rounding.push_keeps_the_margin_nearly(profile, given, direction)
+
+    name = f"{name_of(rounding.push_keeps_the_margin_nearly)} ({direction.name.lower()})"
+    return Obligation(name, of_profile, (STRING, ORDERED))
+
+
+PUSHES = tuple(map(of_push, Direction))
 STILL = Drive(Fraction(0))
 PAIR = Setting("two", (Member(0, STILL), Member(0, STILL)))
 WALL = Setting("one and a wall", (Member(0, STILL),), (1,))
 RIDER = Setting("one on another", (Member(0, STILL), Member(1, STILL, 0)))
 LEDGE = Setting("one on ground", (Member(1, STILL),), (1,))
-OF_TWO = ((3, 1), (1, -1), (100, Fraction(1, 100)))
+OF_TWO = ((1, -1), (100, Fraction(1, 100)))
 OF_ONE = ((3,), (Fraction(-2, 3),))
 
 
@@ -64,8 +76,7 @@ def of_event(setting: Setting, *speeds: Fraction | int) -> Obligation:
 
 EVENTS = tuple(
     of_event(setting, *speeds)
-    for settings, known in (((PAIR, RIDER), OF_TWO), ((WALL, LEDGE), OF_ONE))
-    for setting in settings
+    for setting, known in ((PAIR, OF_TWO), (RIDER, OF_TWO[1:]), (WALL, OF_ONE), (LEDGE, OF_ONE))
     for speeds in known
 )
 
@@ -88,6 +99,17 @@ CLAIMS: tuple[Claim, ...] = (
         Verdict.PROVED,
         NEARLY,
         long=True,
+    ),
+    Claim(
+        "claim/margin-nearly-kept",
+        "rounding",
+        MARGIN_NEARLY_KEPT.sentence,
+        MARGIN_NEARLY_KEPT.source,
+        MARGIN_NEARLY_KEPT.id,
+        THESIS,
+        (STRING, ORDERED),
+        Verdict.PROVED,
+        PUSHES,
     ),
     Claim(
         "claim/step-nearly-exact",

@@ -14,7 +14,7 @@ from properties.given import Given
 from properties.worlds.storeys import Setting, any_world
 from spec.graph import Direction
 from spec.rules.settle import footing_of
-from spec.rules.step import StepRules, go_on, lasting, settled
+from spec.rules.step import StepRules, go_on, lasting, settled, touching
 from spec.storeys import AtWall, Contact, Seat
 
 TOPS = (1, 2)
@@ -58,6 +58,13 @@ def neighbours_stay_in_contact(rules: StepRules, given: Given) -> None:
     kept, touches = settled(world, {pair, wall} if before else {wall}), bool(apart <= 0)
     given.ensure("a contact stays exactly of those still neighbours", (pair in kept) == (still and (before or touches)))
     given.ensure("whoever is at a wall stays so", wall in kept)
+
+
+def what_touches_is_recorded_when_settled(rules: StepRules, given: Given, setting: Setting) -> None:
+    """When bodies have settled, all that touches is recorded, and what was lost."""
+    world, lost = any_world(given, setting), Seat(0, 1, None)
+    recorded = settled(world, any_marks(given, world) | {lost})
+    given.ensure("what touches is recorded, and what was lost", touching(world) | {lost} <= recorded)
 
 
 def what_was_lost_is_not_looked_at(rules: StepRules, given: Given) -> None:
