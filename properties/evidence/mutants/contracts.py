@@ -26,7 +26,6 @@ OBLIGATIONS = (
     "properties.contracts.steps",
     "properties.contracts.step_families",
     "properties.contracts.sweeps",
-    "properties.contracts.stretches",
     "properties.contracts.instants",
     "properties.worlds.window",
 )
