@@ -14,11 +14,7 @@ from properties.given import Given
 from properties.worlds.storeys import Setting, any_world
 from spec.graph import Direction
 from spec.rules.settle import footing_of
-<<<<<<< HEAD
 from spec.rules.step import StepRules, go_on, lasting, present, settled, touching
-=======
-from spec.rules.step import StepRules, go_on, lasting, settled
->>>>>>> h-mutants
 from spec.storeys import AtWall, Contact, Seat
 
 TOPS = (1, 2)
