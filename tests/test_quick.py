@@ -1,6 +1,7 @@
 """The quick look at logs of steps: it changes no account, whatever is wrong with a log, and settles many lines."""
 
 import json
+import time
 from collections import Counter
 from dataclasses import replace
 from random import Random
@@ -50,8 +51,8 @@ def both(monkeypatch, tmp_path):
         if look is not None:
             certain = look.certain
 
-            def counting(texts, number):
-                found = certain(texts, number)
+            def counting(*args):
+                found = certain(*args)
                 counts.update(lines=len(found) - 1, certain=int(found.sum()))
                 return found
 
@@ -174,3 +175,38 @@ def test_the_look_changes_no_account_of_a_random_game(games, both, tmp_path):
             with_look, without = both(log, random.choice((1, 3, 1024)))
             assert with_look == without, number
     assert both.counts["certain"] > 0.2 * both.counts["lines"]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("said", [True, False], ids=["all said", "bare"])
+def test_a_log_in_closed_form_is_validated_at_least_half_as_fast_as_its_text_is_parsed(said, tmp_path):
+    """Times of the processor, the best of some: a character pushes boxes right and left for 4,000 ticks."""
+    path = tmp_path / "trace.jsonl"
+    path.write_bytes(b"\n".join(trace_of(boxes_and_ticks(tmp_path, 16))[0 if said else 1]) + b"\n")
+    assert validate(path).conforms
+    assert quickest(lambda: validate(path)) <= 2 * quickest(lambda: [*map(json.loads, path.open())])
+
+
+def boxes_and_ticks(tmp_path, times):
+    """A character and four boxes on a line, and ticks with one key after the other, as a scenario."""
+    bodies = [
+        {"name": f"Body {i}", "left": {"edge": 0, "location": at}, "right": {"edge": 0, "location": at + 1}}
+        for i, at in enumerate((0.3, 2.1, 3.8, 5.5, 7.2))
+    ]
+    bodies[0]["speed"] = 2
+    level = {"format": "graphbody/level@1", "name": "boxes", "margin": "1/10", "tick": "1/60", "bodies": bodies}
+    steps = [{"tick": {"key": key, "times": 125}} for key in ("right", "left") * times]
+    scenario = {"format": "graphbody/scenario@1", "name": "boxes", "profile": "repaired", "steps": steps}
+    path = tmp_path / "boxes.json"
+    path.write_text(json.dumps({**scenario, "level": {**level, "vertices": [[0, 0], [40, 0]]}}))
+    return path
+
+
+def quickest(work, rounds=5):
+    """How many seconds of the processor something takes at least."""
+    found = []
+    for _ in range(rounds):
+        start = time.process_time()
+        work()
+        found.append(time.process_time() - start)
+    return min(found)

@@ -36,7 +36,7 @@ from reference.world import LevelError
 from spec.body import Level
 
 Extended = np.longdouble
-MANTISSA, MOST_BODIES, SMALLEST = 63, 24, 2.0**-200
+MANTISSA, MOST_BODIES, SMALLEST, NEAR = 63, 24, 2.0**-200, 0.5
 
 
 KeyName = Literal["left", "right", "none"]
@@ -178,8 +178,12 @@ class Look:
     error: Any
     models: dict[bytes, Model | None] = field(default_factory=dict)
 
-    def certain(self, texts: Sequence[bytes], number: int) -> Array:
-        """For each of some lines whether it is beyond doubt; never so the first, which has a number in the file."""
+    def certain(self, texts: Sequence[bytes], number: int, close: bool) -> Array:
+        """For each of some lines whether it is beyond doubt; never so the first, which has a number in the file.
+
+        If `close`, bodies may be nearer to each other than the margin: that they are has been said.
+        """
+        nearest = self.margin * -NEAR if close else self.error - self.tolerance
         lines = [self.read(text, step) for step, text in enumerate(texts, start=number - 1)]
         states, result = self.states(lines), np.zeros(len(lines), bool)
         same = (states.seats[1:] == states.seats[:-1]).all(axis=1) & (states.seats[1:, 0] >= 0)
@@ -192,7 +196,7 @@ class Look:
                 self.models[seats] = self.model(texts[steps[0] - 1])
             model = self.models[seats]
             if model is not None:
-                far, fits = self.as_it_should(model, np.array(steps), [wishes[step] for step in steps], states)
+                far, fits = self.as_it_should(model, np.array(steps), [wishes[step] for step in steps], states, nearest)
                 for step, moved, fit in zip(steps, far, fits.tolist(), strict=True):
                     result[step] = fit and self.tells(lines[step], wishes[step], moved, model)
         return result
@@ -256,7 +260,9 @@ class Look:
         width = np.array([extended(place.width) for place in storeys.places])
         return Model(Standing(found.kinds, edges), width, supports_of(world.level.bodies, world.level))
 
-    def as_it_should(self, model: Model, steps: Array, wishes: Sequence[Wish], states: States) -> tuple[Array, Array]:
+    def as_it_should(
+        self, model: Model, steps: Array, wishes: Sequence[Wish], states: States, nearest: Any
+    ) -> tuple[Array, Array]:
         """How far bodies come in each of some steps in which they stand so, and whether these are beyond doubt."""
         many, bodies = len(steps), len(self.names)
         speeds, times = np.zeros((many, bodies), Extended), np.array([time for time, _ in wishes], Extended)
@@ -275,8 +281,8 @@ class Look:
         off = np.abs(after[order] - (before[order] + far)) + np.abs(now - width)[order]
         wrong = off > self.tolerance - self.error
         wrong |= np.abs(width - np.tile(model.width, many))[order] > self.tolerance
-        for left, size in ((before[order], width[order]), (after[order], now[order])):
-            wrong |= self.misplaced(layout, left, size)
+        wrong |= self.misplaced(layout, before[order], width[order], self.margin * -NEAR)
+        wrong |= self.misplaced(layout, after[order], now[order], nearest)
         fits[layout.level[wrong]] = False
         ways = np.zeros_like(far)
         ways[order] = far
@@ -291,15 +297,15 @@ class Look:
                 left[:, body] += left[:, support[body]]
         return left.ravel()
 
-    def misplaced(self, layout: Layout, left: Array, width: Array) -> Array:
-        """Who is beyond a wall, by half of what may be off, or nearer to the one before it than may be."""
+    def misplaced(self, layout: Layout, left: Array, width: Array, nearest: Any) -> Array:
+        """Who is beyond a wall, by half of what may be off, or has less room than the least to the one before it."""
         walls = layout.edges[0] - left, left + width - layout.edges[1]
         found: Array = np.maximum(*walls) > self.tolerance / 2 - self.error
         for storey in layout.storeys:
             those = storey.bodies
             at, size = left[those], (width + layout.margin)[those]
             for one, other in storey.pairs:
-                found[those][other] |= at[other] - (at[one] + size[one]) < self.error - self.tolerance
+                found[those][other] |= at[other] - (at[one] + size[one]) < nearest
         return found
 
     def tells(self, line: Line | None, wish: Wish, far: Array, model: Model) -> bool:
