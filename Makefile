@@ -63,7 +63,7 @@ independent: $(READY) ## compare the reference with a second program, on LEVELS 
 
 # Seconds are those of the processor: what else runs on the machine counts for less.
 .PHONY: bench
-bench: $(READY) ## time the proofs, beside CrossHair; write docs/benchmarks.md
+bench: $(COMPARED) ## time the proofs, beside CrossHair, and the steps, beside Box2D; write docs/benchmarks.md
 	@mkdir -p build
 	@$(BIN)/pytest tests/benchmarks -o python_files='bench_*.py' -p no:xdist --benchmark-only --benchmark-quiet \
 		--benchmark-timer=time.process_time --benchmark-json=build/bench.json

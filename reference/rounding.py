@@ -25,7 +25,7 @@ UNIT_ROUNDOFF: dict[Precision, Fraction] = {
 def tolerance(numbers: Precision, level: Level[Fraction], *distances: Fraction, walks: int = 1) -> Fraction:
     """How far off one step on a level may be, in which distances are asked, and borders walk along an edge so often.
 
-    Under `repaired` that is how many instants it has. It is never more than a part of the margin.
+    Under `repaired` it is as often as makes up for what spreads. It is never more than a part of the margin.
     """
     rounding = UNIT_ROUNDOFF[numbers] * max([largest(level), *distances])
     return min(level.margin / PART, rounding * ROUNDINGS * walks)

@@ -80,7 +80,7 @@ class Noted:
         """Return the rule that applies, recorded."""
         rule = self.family.choose(facts)
         self.record.count()
-        if not rule.id.startswith(COMING):
+        if rule.id not in COMING:
             self.record.fired[facts.body, rule.id] = None
         return rule
 
@@ -193,7 +193,8 @@ class StepGame(Generic[N]):
 
     def motions(self) -> Iterator[tuple[int, Motion[N]]]:
         """The bodies with a velocity of their own."""
-        return ((body, held.motion) for body, held in enumerate(self.level.bodies) if held.motion is not None)
+        movers, handles = self.level.movers, self.level.handles
+        return ((handles[held.name], held.motion) for held in movers if held.motion is not None)
 
     def have(self, motions: Mapping[int, Motion[N]]) -> None:
         """Let bodies have other motions."""

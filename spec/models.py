@@ -176,8 +176,8 @@ OF_STOREYS: tuple[Model, ...] = (
         "stay in contact. A body at a wall is there until time passes in which it moves away, or it changes its "
         "storey. While they last, no event between the two comes. Records are made anew in each step; what touches "
         "when bodies have settled is recorded without an event, so that a falling body may close a row round a ring.",
-        "6.2.1c; R20, R24",
-        "repaired-walks-on-mover",
+        "6.2.1c; R20, R24, R31",
+        "repaired-closes-a-ring",
     ),
     Model(
         "model/settling",

@@ -13,4 +13,16 @@ NEARLY_EXACT = Relation(
     "roundings for each time that a border walks along an edge, however many bodies are pushed.",
     "4.2, 6.2.1; R6, R20, R24",
 )
-OF_ROUNDING: tuple[Relation, ...] = (NEARLY_EXACT,)
+MARGIN_NEARLY_KEPT = Relation(
+    "invariant/margin-nearly-kept",
+    "In rounded arithmetic, on one edge, whoever pushes comes no nearer to the next body than the margin less 5 "
+    "roundings; or, where it was nearer than the margin before, than that less 2; however many bodies are pushed.",
+    "4.2, 6.2.1; R6, R24, A10",
+)
+STEP_NEARLY_EXACT = Relation(
+    "invariant/step-nearly-exact",
+    "In rounded arithmetic, what comes in a step of `repaired` comes when the room to it is used up, to within 8 "
+    "roundings: so late, or early, as that takes at the speed at which the room lessens.",
+    "6.2.1; R18, R24",
+)
+OF_ROUNDING: tuple[Relation, ...] = (NEARLY_EXACT, MARGIN_NEARLY_KEPT, STEP_NEARLY_EXACT)

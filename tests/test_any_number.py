@@ -11,9 +11,21 @@ import numpy as np
 import pytest
 from test_steps import with_effect
 
-from properties.claims.repaired import FURTHEST, LOSSES, ROWS, SETTLED, STRETCHES, TIMES, WINDOWS, of_window
+from properties.claims.repaired import (
+    BOUNCES,
+    FURTHEST,
+    KEPT,
+    LOSSES,
+    MONOTONE,
+    ROWS,
+    SETTLED,
+    STRETCHES,
+    TIMES,
+    WINDOWS,
+    of_window,
+)
 from properties.closed_form import furthest, supports_in_one_row
-from properties.contracts import one_drive, stretches
+from properties.contracts import bounces, endings, one_drive, stretches
 from properties.contracts.request import judged
 from properties.engine.explore import explore
 from properties.evidence.courses import drive
@@ -26,7 +38,10 @@ from spec.rules.row import full_speed, its_own, no_speed, stands_still, standsti
 from spec.rules.settle import Found, front_most
 from spec.storeys import Contact, Drive, Interval, Seat
 
-RESTS = {obligation.id: obligation for obligation in (*ROWS, *SETTLED, *STRETCHES, *TIMES, *FURTHEST)}
+RESTS = {
+    obligation.id: obligation
+    for obligation in (*ROWS, *SETTLED, *STRETCHES, *TIMES, *FURTHEST, *KEPT, *MONOTONE, *BOUNCES)
+}
 LATE = "stretches/room-is-used-up-in-time"
 FAR = "one_drive/bodies-go-as-far-as-they-may (right)"
 
@@ -100,6 +115,23 @@ FAULTS = {
 }
 
 
+FAULTS |= {
+    "who is fast stops behind a slower one": Fault(
+        "way", "way/slower", standstill, "endings/faster-wishes-slow-nobody (right)", "it goes no slower"
+    ),
+    "nobody is squeezed above a slot": Fault(
+        "meet", "row/squeezed", takes_part, "bounces/two-bounces-make-way", "it loses the one, then the other"
+    ),
+    "who is faster passes less on": Fault(
+        "relay",
+        "row/passes-on",
+        lambda relay: relay.speed if relay.speed <= 1 else relay.speed * 0,
+        "endings/faster-wishes-pass-on-no-less (left)",
+        "no less goes on",
+    ),
+}
+
+
 @pytest.mark.parametrize("fault", FAULTS.values(), ids=FAULTS)
 def test_a_wrong_rule_is_refuted_with_values(fault):
     assert fault.says in broken(RESTS[fault.obligation], with_effect(fault.field, fault.rule, fault.effect))
@@ -127,6 +159,20 @@ def test_who_falls_next_to_another_without_looking_is_refuted(monkeypatch):
     falls = replace(blind.rules[-1], guard=blind.rules[-1].guard[:2])
     wrong = replace(REPAIRED, rules=replace(REPAIRED.rules, settle=Family("settle", (*blind.rules[:-1], falls))))
     assert "invariant/step-margin" in broken(of_window(stretches.settling_keeps_apart, LOSSES[0]), wrong)
+
+
+def test_a_step_in_which_one_loses_what_it_keeps_up_with_is_refuted(monkeypatch):
+    monkeypatch.setattr(endings, "losses", lambda world, speeds: step.losses(world, {**speeds, 0: speeds[0] * 0}))
+    kept = RESTS["endings/who-keeps-up-keeps-its-support (one on another)"]
+    assert "it does not come nearer to its loss" in broken(kept)
+
+
+def test_a_world_that_says_too_early_that_a_support_is_lost_is_refuted(monkeypatch):
+    right = StoreyWorld.to_loss
+    lost = RESTS["endings/what-is-lost-stays-lost (one on another)"]
+    assert broken(lost) == ()
+    monkeypatch.setattr(StoreyWorld, "to_loss", lambda self, body, way: right(self, body, way) - self.margin)
+    assert "it is not held" in broken(lost)
 
 
 def test_a_wrong_closed_form_is_refuted(monkeypatch):
@@ -176,6 +222,12 @@ def test_a_wall_between_supports_leaves_who_was_pushed_ahead_of_the_closed_form(
     assert course.after.span(5).left - places[5].left == 4
     assert furthest(world, drives, 5 * one)[5] == 2
     assert not supports_in_one_row(world)
+
+
+def test_another_number_of_instants_than_that_of_bounces_is_noticed():
+    free = with_effect("meet", "row/squeezed", takes_part)
+    with pytest.raises(AssertionError, match="halvings"):
+        bounces.instants_have_no_bound(free)
 
 
 class Storey:

@@ -3,6 +3,7 @@
 import pytest
 from benchmarks import claim
 from benchmarks.other import crosshair
+from benchmarks.steps import SPEED, TICK, Pushed, at_once, by_events, of_random_levels
 
 RIGHT, WRONG = claim.Numbers(), claim.Numbers(lacking=1)
 WAYS = {
@@ -34,3 +35,19 @@ def test_crosshair_agrees(lacking, concluded):
 def test_more_bodies_than_two_are_merged_as_they_move_in_turn():
     assert claim.verdict(claim.by_merging(3, 3, RIGHT)) == "proved"
     assert claim.verdict(claim.by_merging(3, 3, WRONG)) == "refuted"
+
+
+@pytest.mark.parametrize("scene", [Pushed("row", 3, 2), Pushed("stack", 3)], ids=str)
+def test_all_ways_to_step_bring_the_bodies_to_the_same_places(scene):
+    ways = by_events(scene, floats=False), by_events(scene, floats=True), at_once(scene, 1), at_once(scene, 50)
+    for way in ways:
+        way.program()
+    assert {round(way.come(), 9) for way in ways} == {float(SPEED * TICK * scene.ticks)}
+    assert ways[-1].steps == scene.ticks * (50 // len(scene.world().places))
+    assert ways[-1].counted() == {"share": 1}
+
+
+def test_random_levels_have_a_closed_form_in_some_steps():
+    prepared = of_random_levels(20)
+    prepared.program()
+    assert 0 < prepared.counted()["share"] < 1

@@ -8,6 +8,7 @@ import z3
 
 from properties.engine import explore as engine
 from properties.engine.explore import Counterexample, EngineError, Outcome, explore
+from properties.engine.formulas import conjunction, disjunction
 from properties.engine.merge import merged
 from properties.engine.simplest import smallest
 from properties.given import Exact, Infeasible
@@ -338,6 +339,33 @@ def test_the_solver_is_asked_no_more_than_it_has_to_be():
         given.ensure("something", a >= 0)
 
     assert explore(program).checks == 15
+
+
+def test_a_path_ends_at_a_premise_that_cannot_hold_and_is_asked_about_it_once():
+    def program(given):
+        a, b = given.number("a"), given.number("b")
+        least = a if a <= b else b
+        given.assume(a < 5)
+        given.assume(least > 1)
+        given.assume((a if a <= 3 else b) <= 1)
+        given.ensure("nothing comes here", a > a + 1)
+
+    outcome = explore(program)
+    assert (outcome.paths, outcome.checks) == (0, 14)
+
+
+def test_of_no_formulas_all_hold_and_none_does():
+    assert z3.is_true(conjunction())
+    assert z3.is_false(disjunction())
+
+
+def test_a_variable_counts_as_often_as_it_is_in_a_sum():
+    def program(given):
+        a, b = given.number("a"), given.number("b")
+        given.assume((a <= 1) & (b <= 1))
+        given.ensure("a and twice b", a + b + b <= 2)
+
+    assert not explore(program).proved
 
 
 def test_a_budget_that_is_too_small_leaves_it_open(monkeypatch):

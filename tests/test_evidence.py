@@ -32,6 +32,7 @@ FLOORS_OF_VERDICTS = {
         no-overlap order termination rigid-width on-graph at-most-asked direction bystanders as-far-as-possible
         closed-form determinism additive translation one-rule-applies leaves-only-beyond no-jump-leads-up
         mirror edge-split full-circle margins-over-time order-over-time world-is-lawful nearly-exact
+        margin-nearly-kept
         landing-keeps-width stays-in-wall near-jump-edges landing-position landing-position/overshoot
         long-edges-fit
         one-step-rule-applies contacts-do-not-close squeezed-bodies-stand speeds-are-wished
@@ -40,7 +41,8 @@ FLOORS_OF_VERDICTS = {
         rest-is-kept-by-friction rest-is-kept-by-friction/repaired velocities-ask-for-their-way
         coefficient-of-friction coefficient-of-friction/repaired minimum-stops minimum-stops/repaired
         velocity-after-a-move velocity-after-a-move/repaired
-        tops-are-chosen drives-add-up step-furthest
+        tops-are-chosen drives-add-up step-furthest step-one-way step-instants-of-one rows-are-monotone
+        instants-have-no-bound
         step-margin step-terrain step-support step-seat step-order step-motion step-not-raised step-bystanders
         step-progress step-squeezed step-one-key step-mirror step-split step-body-order step-riders
         one-display-rule-applies falls-are-smooth falls-arrive shown-upon-support turns-are-smooth centres-are-lawful
@@ -50,19 +52,19 @@ FLOORS_OF_VERDICTS = {
         step-progress step-squeezed step-one-key step-mirror step-split step-body-order step-riders
     """,
     BOUNDED: """
+        step-nearly-exact
         proxy-on-level-ground whole-rows terrain plane-apart-of-two horizontal-alone
         supports-end never-raised height-kept
         supports-end/overshoot never-raised/overshoot height-kept/overshoot
         rest-up-to-the-coefficient rest-up-to-the-printed-slope way-without-friction way-without-friction/repaired
         drag-leaves-a-part drag-leaves-a-part/repaired drag-takes-by-the-way
         enough-for-the-plane enough-for-the-plane/overshoot enough-for-three enough-for-three/overshoot
-        step-one-way step-instants whole-steps requests-end-alike
+        batches-end-alike step-instants whole-steps requests-end-alike
         designs-agree designs-agree-on-rings discrete-turns discrete-turns-are-steps discrete-turns-are-steps-of-more
         order-without-width order-without-width/no-falls trouble-is-gone/no-falls trouble-is-gone/no-collisions
         trouble-is-gone/no-width trouble-is-gone/no-collisions/no-falls trouble-is-gone/no-collisions/no-width
         trouble-is-gone/no-falls/no-width trouble-is-gone/overshoot/no-collisions trouble-is-gone/overshoot/no-width
         trouble-is-gone/overshoot/no-collisions/no-width
-        step-instants whole-steps requests-end-alike
     """,
     TESTED: """
         rule-count invariants-judge step-invariants-judge storeys-are-measured long-rows-need-more losses-add-up

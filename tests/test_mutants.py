@@ -214,7 +214,7 @@ def test_every_invariant_of_steps_is_broken_by_some_step_of_the_bank_and_kept_by
 
 
 def test_what_is_the_same_is_proved_to_be_and_what_is_not_is_not():
-    names = {**of_invariants(), **of_steps(), **of_judges()}
+    names = {name: mutant for mutants in GROUPS.values() for name, mutant in mutants().items()}
     assert all(proved_equal(name, names[name]) is not None for name in EQUAL)
     other = mutant_of(names, "plane.box: circumference is not None instead of circumference is not None and right")
     assert explore(partial(boxes_of_bodies, other)).counterexample is not None

@@ -8,23 +8,30 @@ from functools import partial
 import numpy as np
 import pytest
 
-from properties.claims.rounding import NEARLY
+from properties.claims.rounding import EVENTS, NEARLY, PAIR
 from properties.conformance.judge import Finding, expect, judge
-from properties.contracts import floats, rounding
+from properties.conformance.spread import spread
+from properties.contracts import floats, rounded_steps, rounding
 from properties.contracts.request import judged
 from properties.engine.explore import explore
 from properties.engine.rounded import Machine, Rounded
 from properties.given import Exact
+from properties.strategies.storeys import outing
+from properties.worlds.changes import in_floats
 from properties.worlds.rows import string_graph
 from reference.rounding import ROUNDINGS, UNIT_ROUNDOFF, largest, tolerance
 from reference.simulator import move
+from reference.stepping import run
+from reference.storeys import Place, StoreyWorld, Terrain
 from reference.world import World
 from spec.body import Body, EdgePosition, Level
 from spec.graph import Direction
-from spec.profiles import THESIS
+from spec.profiles import REPAIRED, THESIS
 from spec.rule import Family
 from spec.rules.clearance import CLEARANCE
+from spec.rules.event import CONTACT
 from spec.rules.push import PUSH
+from spec.storeys import Drive, Interval, short_way
 from spec.transform import with_numbers
 
 RIGHT, LEFT = Direction.RIGHT, Direction.LEFT
@@ -70,6 +77,100 @@ def test_what_a_request_says_is_rounded():
     assert explore(partial(judged, less, THESIS)).counterexample is not None
 
 
+def test_a_push_on_one_edge_loses_5_roundings_of_the_margin_and_2_more_each_time():
+    for direction in Direction:
+        push = partial(rounding.push_keeps_the_margin_nearly, direction=direction)
+        assert explore(partial(judged, push, THESIS)).proved
+        for fewer in ({"apart": 4}, {"nearer": 1}):
+            assert explore(partial(judged, partial(push, **fewer), THESIS)).counterexample is not None
+
+
+@pytest.mark.parametrize("event", EVENTS[1::4], ids=lambda one: one.id)
+def test_events_come_nearly_when_they_should(event):
+    assert explore(partial(judged, event.program, REPAIRED)).proved
+
+
+def two_bodies(profile, given, **more):
+    """Two bodies, one faster than the other."""
+    speeds = {0: Fraction(3), 1: Fraction(1)}
+    rounded_steps.events_are_nearly_exact(profile, given, PAIR, speeds, **more)
+
+
+def test_events_are_off_by_more_than_a_few_roundings_and_by_more_if_a_rule_is_wrong():
+    assert explore(partial(two_bodies, REPAIRED, meeting=3)).counterexample is not None
+    for effect in (lambda nearing: nearing.room, lambda nearing: nearing.room / nearing.speed / Fraction(2)):
+        wrong = replace(REPAIRED.rules, contact=with_effect(CONTACT, "event/contact", effect))
+        assert explore(partial(judged, partial(two_bodies), replace(REPAIRED, rules=wrong))).counterexample is not None
+
+
+def run_twice(world, drives, duration):
+    """A step in floats, and one of the very same numbers in exact ones: both worlds, and both courses."""
+    exact = exactly(world)
+    right, _ = run(REPAIRED.rules, exact, drives, Fraction(duration))
+    floating = {body: replace(one, speed=float(one.speed)) for body, one in drives.items()}
+    nearly, _ = run(REPAIRED.rules, world, floating, duration)
+    return exact, right, nearly
+
+
+def exactly(world):
+    """The storeys that a world of floats has, in exact numbers."""
+
+    def interval(one):
+        return Interval(Fraction(one.left), Fraction(one.right))
+
+    ground, places = world.terrain, []
+    solid = tuple(tuple(interval(one) for one in storey) for storey in ground.solid)
+    ends, round_ = ground.ends, ground.circumference
+    terrain = Terrain(solid, ends and interval(ends), None if round_ is None else Fraction(round_))
+    places = [replace(one, left=Fraction(one.left), width=Fraction(one.width)) for one in world.places]
+    return StoreyWorld(terrain, Fraction(world.margin), places)
+
+
+def off(one, two):
+    """How far bodies are from where they are in exact numbers."""
+    round_ = one.terrain.circumference
+    return max(abs(short_way(Fraction(b.left) - a.left, round_)) for a, b in zip(one.places, two.places, strict=True))
+
+
+def marks(moments):
+    """What came, instant by instant."""
+    return [sorted(str(event.mark) for event in moment.events) for moment in moments if moment.events]
+
+
+def test_a_rider_that_slowly_leaves_a_fast_carrier_is_off_by_many_roundings_and_within_the_spread():
+    slow, fast, duration = 0.01, 1000.0, 0.05
+    rider = 3.1 - 1.1 - 0.125 + slow * duration * 0.4
+    places = [Place(0, 3.1, 1.3, None), Place(1, rider, 1.1, 0)]
+    world = StoreyWorld(Terrain((), Interval(0.0, 64.0)), 0.125, places)
+    drives = {0: Drive(Fraction(fast), relative=False), 1: Drive(Fraction(-slow))}
+    exact, moments, _ = run_twice(world, drives, duration)
+    roundings = off(exact, world) / (64 * UNIT_ROUNDOFF["float64"])
+    assert ROUNDINGS * len(moments) < 2000 < roundings < spread(moments)
+
+
+def test_random_steps_in_floats_are_within_the_spread():
+    compared = 0
+    for seed in range(150):
+        made, rng = outing(seed, 6, 3), random.Random(seed)
+        if not made.places:
+            continue
+        world, parts = in_floats(made.world()), (1, Fraction(7, 9), Fraction(1, 50))
+        speeds = {body: Fraction(float(one.speed * rng.choice(parts))) for body, one in made.drives_by_body.items()}
+        drives = {body: replace(one, speed=speeds[body]) for body, one in made.drives_by_body.items()}
+        duration = float(made.duration)
+        exact, moments, nearly = run_twice(world, drives, duration)
+        seats = [[(one.storey, one.support) for one in held.places] for held in (exact, world)]
+        if seats[0] != seats[1] or marks(moments) != marks(nearly):
+            continue
+        ends, round_ = exact.terrain.ends, exact.terrain.circumference
+        largest_of = max(
+            ends.right if ends else round_, *(abs(speed) * Fraction(duration) for speed in speeds.values()), 1
+        )
+        assert off(exact, world) <= spread(moments) * largest_of * UNIT_ROUNDOFF["float64"], seed
+        compared += 1
+    assert compared > 100
+
+
 def test_the_same_sum_is_rounded_alike_and_nothing_added_is_not_rounded():
     machine = Machine(Exact({"error 1": Fraction(3, 2), "error 2": Fraction(1, 2)}))
     one, two = Rounded(machine, Fraction(5)), Rounded(machine, Fraction(3))
@@ -81,9 +182,10 @@ def test_the_same_sum_is_rounded_alike_and_nothing_added_is_not_rounded():
     assert one * 1 is one
     assert (one * -2).held == -10
     assert machine.errors == 2
-    for factor in (3, Fraction(1, 3), two):
-        with pytest.raises(TypeError, match="is rounded, in a way that is not known here"):
-            one * factor
+    with pytest.raises(TypeError, match="is rounded, in a way that is not known here"):
+        one * two
+    with pytest.raises(TypeError, match="is rounded, in a way that is not known here"):
+        one / two
 
 
 def random_row(rng, bodies, edges, number):

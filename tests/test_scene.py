@@ -8,6 +8,7 @@ from fractions import Fraction
 from random import Random
 
 import pytest
+from evaluation import graphbodies
 
 from properties.contracts.reach import rows_add_no_speed, wishes_add_one_drive
 from properties.contracts.request import judged
@@ -16,15 +17,16 @@ from properties.evidence.comparisons import rest_does_not_count
 from properties.evidence.sample_steps import course_of
 from properties.strategies.storeys import outing
 from properties.worlds.changes import in_floats
+from reference.play import library, play
 from reference.scene import Reach, Scene
-from reference.stepping import run_in_reach
+from reference.stepping import StepGame, run_in_reach
 from reference.storeys import Place, StoreyWorld, Terrain
 from spec.graph import Direction
 from spec.profiles import REPAIRED
 from spec.rule import Family
 from spec.storeys import Drive, Interval
 
-ONE, STILL = Fraction(1), Drive(Fraction(0))
+ONE, LONG, STILL = Fraction(1), Fraction(10**5), Drive(Fraction(0))
 WALK = Drive(ONE, relative=False)
 WORLDS = range(200, 330)
 QUESTIONS = ("storeys", "row", "storey", "support", "pushes", "neighbours", "gap", "to_wall", "to_loss", "holds")
@@ -74,6 +76,44 @@ def test_a_step_costs_the_same_whoever_stands_by(monkeypatch):
     assert {0, 1, 2, 3, 4, 5} <= reached <= set(range(7))
     assert chosen > 0
     assert all(asked[name] for name in QUESTIONS)
+
+
+def played(boxes):
+    """What ticks and a request take in a game with so many boxes in a row, a unit apart."""
+    game = StepGame(REPAIRED, graphbodies.level([Fraction(2 * place) for place in range(boxes + 1)], [LONG], ONE))
+    moves = [*game.tick(Direction.RIGHT), *game.tick(None), game.request("Box 3", Fraction(5, 2))]
+    assert game.shown is None
+    return moves
+
+
+def test_a_game_costs_the_same_whoever_stands_by():
+    few, many = map(played, (10, 10_000))
+    assert few == many
+    assert [move.moved for move in many] == [ONE / 50, Fraction(5, 2)]
+    assert many[-1].depth == 4
+
+
+class Whole(Reach):
+    """Everybody is in reach."""
+
+    def __init__(self, scene, driven, duration):
+        self.ways = {body: {} for body in range(len(scene.world.places))}
+
+
+def told(path, floats):
+    """What came of each step of a scenario, but for the work that it took."""
+    return [
+        (one.bodies, one.pressed, one.happened, [replace(move, work={}) for move in one.moves])
+        for one in play(path, floats).steps
+    ]
+
+
+@pytest.mark.parametrize("floats", [False, True])
+def test_scenarios_are_told_as_if_all_were_in_reach(monkeypatch, floats):
+    paths = [path for path in library() if isinstance(play(path).game, StepGame)]
+    found = [told(path, floats) for path in paths]
+    monkeypatch.setattr("reference.stepping.Reach", Whole)
+    assert [told(path, floats) for path in paths] == found
 
 
 @pytest.mark.parametrize("seed", range(10))

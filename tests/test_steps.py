@@ -23,7 +23,17 @@ from spec.registry import rules_of
 from spec.rule import Family
 from spec.rules.row import full_speed, its_own, takes_part, the_same
 from spec.rules.settle import front_most
-from spec.stepped import OF_ONE_STEP, STEP_INSTANTS, STEP_SEAT, Course, Stretch, all_held, margins_kept, outside_terrain
+from spec.stepped import (
+    OF_ONE_STEP,
+    STEP_INSTANTS,
+    STEP_INSTANTS_OF_ONE,
+    STEP_SEAT,
+    Course,
+    Stretch,
+    all_held,
+    margins_kept,
+    outside_terrain,
+)
 from spec.storeys import Drive, Interval
 
 STILL = Drive(Fraction(0))
@@ -201,6 +211,14 @@ def test_every_invariant_holds_of_a_step_in_which_nothing_happens():
     world = line(9, 1, Place(0, Fraction(0), Fraction(2), None))
     course = drive(REPAIRED.rules, world, {0: STILL}, Fraction(0), Fraction(0))
     assert all(invariant.holds(course) for invariant in OF_ONE_STEP)
+
+
+def test_more_instants_than_one_drive_can_make_are_noticed():
+    world = line(9, 1, Place(0, Fraction(0), Fraction(2), None))
+    drives = {0: Drive(Fraction(1))}
+    (stretch,) = drive(REPAIRED.rules, world, drives, Fraction(1), Fraction(0)).stretches
+    assert STEP_INSTANTS_OF_ONE.holds(Course((stretch,) * 8))
+    assert not STEP_INSTANTS_OF_ONE.holds(Course((stretch,) * 9))
 
 
 @pytest.mark.parametrize(

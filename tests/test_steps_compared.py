@@ -8,8 +8,9 @@ import pytest
 from test_any_number import broken
 from test_steps import with_effect
 
+from properties.claims.repaired import WINDOWS, of_window
 from properties.claims.steps_compared import BELOW, CUT, MIRRORED, RENAMED
-from properties.contracts import cuts, images
+from properties.contracts import cuts, images, instants
 from reference.storeys import StoreyWorld
 from spec.graph import Direction
 from spec.rules import step
@@ -179,6 +180,14 @@ def test_a_step_that_records_late_or_forgets_is_refuted(monkeypatch):
     assert "what is recorded is what touches" in broken(recorded)
     monkeypatch.setattr(step, "lasting", lambda ways, marks: set())
     assert "what is recorded is what touches" in broken(recorded)
+
+
+def test_a_step_that_records_too_little_when_bodies_have_settled_is_refuted(monkeypatch):
+    recorded = of_window(instants.what_touches_is_recorded_when_settled, WINDOWS[0])
+    monkeypatch.setattr(instants, "settled", step.present)
+    assert "what touches is recorded, and what was lost" in broken(recorded)
+    monkeypatch.setattr(instants, "settled", lambda world, marks: step.touching(world))
+    assert "what touches is recorded, and what was lost" in broken(recorded)
 
 
 def test_a_step_that_goes_on_too_long_is_refuted(monkeypatch):

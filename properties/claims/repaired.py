@@ -9,6 +9,8 @@ from properties.claims.claim import Claim, Count, Obligation, Verdict
 from properties.claims.string import name_of, of_rules
 from properties.contracts import (
     batches,
+    bounces,
+    endings,
     instants,
     judging_steps,
     measuring,
@@ -30,6 +32,7 @@ from spec.stepped import (
     STEP_BYSTANDERS,
     STEP_FURTHEST,
     STEP_INSTANTS,
+    STEP_INSTANTS_OF_ONE,
     STEP_MARGIN,
     STEP_MOTION,
     STEP_NOT_RAISED,
@@ -144,14 +147,18 @@ FROM_START = (
     stretches.stretches_keep_apart,
     stretches.what_touches_is_recorded,
     instants.no_time_changes_nothing,
+    instants.what_touches_is_recorded_when_settled,
     one_drive.supports_are_in_order,
     one_drive.no_wall_is_between,
+    endings.who_keeps_up_keeps_its_support,
+    endings.what_is_lost_stays_lost,
 )
 CONTACTS = of_steps(steps.contacts_do_not_close)
 TIMES = (
     *of_steps(stretches.no_event_is_passed_over, stretches.room_is_used_up_in_time),
     *(of_window(stretches.what_touches_is_recorded, setting) for setting in WINDOWS[:4]),
     of_window(instants.no_time_changes_nothing, WINDOWS[0]),
+    of_window(instants.what_touches_is_recorded_when_settled, WINDOWS[0]),
     *of_steps(instants.what_has_not_parted_stays_recorded, instants.neighbours_stay_in_contact),
 )
 STRETCHES = (*CONTACTS, *TIMES, *(of_window(stretches.stretches_keep_apart, setting) for setting in WINDOWS))
@@ -172,6 +179,19 @@ FURTHEST = (
     of_window(one_drive.supports_are_in_order, one_drive.TWO_ON_TWO),
     of_window(one_drive.no_wall_is_between, WINDOWS[2]),
 )
+
+MONOTONE = (
+    *(of_way(endings.faster_wishes_pass_on_no_less, ahead) for ahead in Direction),
+    *(of_way(endings.faster_wishes_slow_nobody, ahead) for ahead in Direction),
+)
+BOUNCES = of_steps(bounces.two_bounces_make_way)
+ON_ANOTHER = WINDOWS[7]
+KEPT = (
+    *of_steps(instants.what_has_not_parted_stays_recorded),
+    of_window(endings.who_keeps_up_keeps_its_support, ON_ANOTHER),
+    of_window(endings.what_is_lost_stays_lost, ON_ANOTHER),
+)
+OF_ONE = (*CONTACTS, *ROWS, *ONE_KEY, *KEPT, *of_steps(one_drive.wishes_go_one_way), *SETTLED)
 
 
 def holds(about: StepInvariant | Relation, expected: Verdict, *obligations: Obligation, long: bool = False) -> Claim:
@@ -204,8 +224,8 @@ CLAIMS: tuple[Claim, ...] = (
     *(holds(invariant, PROVED, *ROWS) for invariant in (STEP_BYSTANDERS, STEP_PROGRESS, STEP_SQUEEZED)),
     holds(STEP_ONE_KEY, PROVED, *ROWS, *ONE_KEY),
     holds(STEP_INSTANTS, BOUNDED, *WHOLE_STEPS, long=True),
-    holds(STEP_FURTHEST, PROVED, *FURTHEST),
-    holds(STEP_ONE_WAY, BOUNDED, *BATCHES),
+    holds(STEP_INSTANTS_OF_ONE, PROVED, *OF_ONE),
+    *(holds(relation, PROVED, *FURTHEST) for relation in (STEP_FURTHEST, STEP_ONE_WAY)),
     holds(STEP_OUT_OF_REACH, TESTED),
     proved(
         "one-step-rule-applies",
@@ -226,6 +246,31 @@ CLAIMS: tuple[Claim, ...] = (
         "a wall.",
         "6.2.1b, 6.2.1c; R19, R20, R24",
         steps.contacts_do_not_close,
+    ),
+    Claim(
+        id="claim/instants-have-no-bound",
+        family="steps",
+        sentence="With several drives, instants have no bound in the numbers of bodies, storeys and pieces of terrain: "
+        "four bodies without terrain have as many as one likes.",
+        source="6.2.1; R17",
+        about=STEP_INSTANTS.id,
+        profile=REPAIRED,
+        premises=(),
+        expected=PROVED,
+        obligations=BOUNCES,
+        counts=(Count(name_of(bounces.instants_have_no_bound), bounces.instants_have_no_bound),),
+    ),
+    Claim(
+        id="claim/rows-are-monotone",
+        family="steps",
+        sentence="In a row of any length that does not close, who wishes to go faster to the right makes nobody slower "
+        "to the right.",
+        source="6.2.1c; R20",
+        about="row/pushed",
+        profile=REPAIRED,
+        premises=(),
+        expected=PROVED,
+        obligations=MONOTONE,
     ),
     proved(
         "squeezed-bodies-stand",
@@ -282,6 +327,17 @@ CLAIMS: tuple[Claim, ...] = (
         premises=(),
         expected=TESTED,
         counts=(Count("counts/storeys-are-measured", measuring.storeys_are_measured),),
+    ),
+    Claim(
+        id="claim/batches-end-alike",
+        family="steps",
+        sentence="A batch ends where whole steps of small worlds do, wherever it says that they have a closed form.",
+        source=STEP_ONE_WAY.source,
+        about=STEP_ONE_WAY.id,
+        profile=REPAIRED,
+        premises=(START,),
+        expected=BOUNDED,
+        obligations=BATCHES,
     ),
     Claim(
         id="claim/whole-steps",

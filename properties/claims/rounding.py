@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from fractions import Fraction
 from typing import Any
 
 from properties.claims.claim import Claim, Count, Obligation, Verdict
 from properties.claims.string import name_of
-from properties.contracts import floats, rounding
-from spec.conditions import EDGES_LONG, IN_ORDER, ONE_STRING
+from properties.contracts import floats, rounded_steps, rounding
+from properties.worlds.storeys import Member, Setting
+from spec.conditions import EDGES_LONG, IN_ORDER, ONE_STRING, STOREYS_START
 from spec.graph import Direction
-from spec.profiles import THESIS
-from spec.rounding import NEARLY_EXACT
+from spec.profiles import REPAIRED, THESIS
+from spec.rounding import MARGIN_NEARLY_KEPT, NEARLY_EXACT, STEP_NEARLY_EXACT
+from spec.storeys import Drive
 
 STRING, ORDERED, LONG = ONE_STRING.id, IN_ORDER.id, EDGES_LONG.id
 
@@ -40,6 +43,45 @@ NEARLY = (
 )
 
 
+def of_push(direction: Direction) -> Obligation:
+    """An obligation on whoever pushes on one edge, in a direction."""
+
+    def of_profile(profile: Any, given: Any) -> None:
+        rounding.push_keeps_the_margin_nearly(profile, given, direction)
+
+    name = f"{name_of(rounding.push_keeps_the_margin_nearly)} ({direction.name.lower()})"
+    return Obligation(name, of_profile, (STRING, ORDERED))
+
+
+PUSHES = tuple(map(of_push, Direction))
+STILL = Drive(Fraction(0))
+PAIR = Setting("two", (Member(0, STILL), Member(0, STILL)))
+WALL = Setting("one and a wall", (Member(0, STILL),), (1,))
+RIDER = Setting("one on another", (Member(0, STILL), Member(1, STILL, 0)))
+LEDGE = Setting("one on ground", (Member(1, STILL),), (1,))
+OF_TWO = ((1, -1), (100, Fraction(1, 100)))
+OF_ONE = ((3,), (Fraction(-2, 3),))
+
+
+def of_event(setting: Setting, *speeds: Fraction | int) -> Obligation:
+    """An obligation on what comes in a setting, at these speeds."""
+    known = {body: Fraction(speed) for body, speed in enumerate(speeds)}
+
+    def of_profile(profile: Any, given: Any) -> None:
+        rounded_steps.events_are_nearly_exact(profile, given, setting, known)
+
+    name = f"{name_of(rounded_steps.events_are_nearly_exact)} ({setting.name}, {', '.join(map(str, known.values()))})"
+    return Obligation(name, of_profile, (STOREYS_START.id,), "line", len(speeds))
+
+
+EVENTS = tuple(
+    of_event(setting, *speeds)
+    for settings, known in (((PAIR, RIDER), OF_TWO), ((WALL, LEDGE), OF_ONE))
+    for setting in settings
+    for speeds in known
+)
+
+
 def counted(name: str, about: str, sentence: str, source: str, program: Callable[[Any], int]) -> Claim:
     """A claim on rows in floats."""
     count = Count(name_of(program), program)
@@ -58,6 +100,28 @@ CLAIMS: tuple[Claim, ...] = (
         Verdict.PROVED,
         NEARLY,
         long=True,
+    ),
+    Claim(
+        "claim/margin-nearly-kept",
+        "rounding",
+        MARGIN_NEARLY_KEPT.sentence,
+        MARGIN_NEARLY_KEPT.source,
+        MARGIN_NEARLY_KEPT.id,
+        THESIS,
+        (STRING, ORDERED),
+        Verdict.PROVED,
+        PUSHES,
+    ),
+    Claim(
+        "claim/step-nearly-exact",
+        "rounding",
+        STEP_NEARLY_EXACT.sentence,
+        STEP_NEARLY_EXACT.source,
+        STEP_NEARLY_EXACT.id,
+        REPAIRED,
+        (STOREYS_START.id,),
+        Verdict.BOUNDED,
+        EVENTS,
     ),
     counted(
         "long-rows-need-more",

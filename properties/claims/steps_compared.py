@@ -46,14 +46,13 @@ def in_view(program: Callable[[StepRules, Given, View], None], name: str, view: 
 
 
 def of_worlds(
-    program: Callable[[StepRules, Given, Setting, View], None], setting: Setting, name: str, view: View
+    program: Callable[[StepRules, Given, Setting, View], None], setting: Setting, name: str, view: View, *needs: str
 ) -> Obligation:
     """An obligation on the few that a setting has, whatever else is in the world, in another view."""
 
     def of_profile(profile: SteppedProfile, given: Given) -> None:
         program(profile.rules, given, setting, view)
 
-    needs = (THICK,) if program is images.settling_looks_alike else (START,)
     return Obligation(f"{name_of(program)} ({setting.name}, {name})", of_profile, needs)
 
 
@@ -66,8 +65,8 @@ def of_cut(program: Callable[[StepRules, Given, Setting], None], setting: Settin
     return Obligation(f"{name_of(program)} ({setting.name})", of_profile, (START,))
 
 
-def seen(name: str, view: Callable[[int], View], least: int) -> tuple[Obligation, ...]:
-    """That all of a step is alike in a view of so many bodies, at least in windows of so many."""
+def seen(name: str, view: Callable[[int], View], least: int, *needs: str) -> tuple[Obligation, ...]:
+    """That all of a step is alike in a view of so many bodies, in windows of so many at least; settling needs more."""
     windows = [one for one in WINDOWS if len(one.members) >= least]
     losses = [one for one in (*LOSSES, *BESIDE) if len(one.members) >= least]
     return (
@@ -76,14 +75,14 @@ def seen(name: str, view: Callable[[int], View], least: int) -> tuple[Obligation
             in_view(program, name, view(2))
             for program in (images.records_look_alike, images.rows_look_alike, images.members_look_alike)
         ),
-        *(of_worlds(images.worlds_look_alike, one, name, view(len(one.members))) for one in windows),
-        *(of_worlds(images.ways_look_alike, one, name, view(1)) for one in ONE if least == 1),
-        *(of_worlds(images.settling_looks_alike, one, name, view(len(one.members))) for one in losses),
-        of_worlds(images.velocities_look_alike, RIDDEN[0], name, view(2)),
+        *(of_worlds(images.worlds_look_alike, one, name, view(len(one.members)), START) for one in windows),
+        *(of_worlds(images.ways_look_alike, one, name, view(1), START) for one in ONE if least == 1),
+        *(of_worlds(images.settling_looks_alike, one, name, view(len(one.members)), *needs) for one in losses),
+        of_worlds(images.velocities_look_alike, RIDDEN[0], name, view(2), START),
     )
 
 
-MIRRORED = seen("from behind", from_behind, 1)
+MIRRORED = seen("from behind", from_behind, 1, THICK)
 RENAMED = seen("in another order", renamed, 2)
 CUT = (
     *of_steps(cuts.records_last, cuts.time_goes_by, cuts.instants_are_the_same),
@@ -102,24 +101,19 @@ CUT = (
     ),
 )
 BELOW = (
-    *(of_worlds(images.worlds_look_alike, setting, "without the rider", View((0,))) for setting in RIDDEN),
+    *(of_worlds(images.worlds_look_alike, setting, "without the rider", View((0,)), START) for setting in RIDDEN),
     *(
         of_worlds(images.settling_looks_alike, one, "without those above", View(CARRIED.get(one.name, (1,))))
         for one in LOSSES
         if len(one.members) > 1
     ),
-    of_worlds(images.velocities_look_alike, RIDDEN[0], "without the rider", View((0,))),
+    of_worlds(images.velocities_look_alike, RIDDEN[0], "without the rider", View((0,)), START),
 )
 KEPT = (*STRETCHES, *SETTLED)
 
 CLAIMS: tuple[Claim, ...] = (
     holds(STEP_SPLIT, PROVED, *CUT, *KEPT, *ROWS, long=True),
-    *(
-        replace(holds(about, PROVED, *obligations, *KEPT, long=True), premises=(START, THICK))
-        for about, obligations in (
-            (STEP_MIRROR, MIRRORED),
-            (STEP_BODY_ORDER, RENAMED),
-            (STEP_RIDERS, (*BELOW, *CUT, *ROWS)),
-        )
-    ),
+    replace(holds(STEP_MIRROR, PROVED, *MIRRORED, *KEPT, long=True), premises=(START, THICK)),
+    holds(STEP_BODY_ORDER, PROVED, *RENAMED, *KEPT, long=True),
+    holds(STEP_RIDERS, PROVED, *BELOW, *CUT, *KEPT, *ROWS, long=True),
 )

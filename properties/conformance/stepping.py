@@ -9,6 +9,7 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from itertools import groupby
+from math import ceil
 from typing import Any
 
 from properties.conformance.diagnosis import Trouble
@@ -16,6 +17,7 @@ from properties.conformance.judge import Difference, Expected, Finding, Judgemen
 from properties.conformance.log import ZERO, Request, Step, minima_moved
 from properties.conformance.minimise import with_bodies, without_needless
 from properties.conformance.said import as_json, of_the_moves, of_the_velocities
+from properties.conformance.spread import spread
 from properties.engine.ties import TIES, Choices, Near, Ties, TooManyWays, every_way, value_of
 from reference.formats.files import FormatError
 from reference.formats.level import BodyRecord, LevelRecord, level_record, valid_level
@@ -25,6 +27,7 @@ from reference.formats.trace import EventRecord, LineRecord
 from reference.physics import left_to, set_off, with_motions
 from reference.plan import Plan, check_plan
 from reference.recording import Recording, event_record, events_of
+from reference.rounding import ROUNDINGS
 from reference.simulator import Endless, Happened
 from reference.stepping import MOST_CHOSEN, Driven, StepGame, of_step, run, told
 from reference.storeys import StoreyWorld, Terrain
@@ -47,16 +50,13 @@ Drives = Mapping[int, Drive[Fraction]]
 
 @dataclass(frozen=True)
 class Outcome:
-    """What came of a step: the storeys after it, how far each body moved, what happened, how many rules it took, and
-    how many instants it had.
-    """
+    """What came of a step: the storeys after it, how far each body moved, what happened, how many rules it took."""
 
     storeys: StoreyWorld[Any]
     moved: Mapping[int, Fraction]
     happened: tuple[Happened[Any], ...]
     speeds: Mapping[int, Any]
     work: int
-    instants: int
 
 
 @dataclass(frozen=True)
@@ -76,8 +76,10 @@ class OfSteps:
         return tuple((body, way(drive.speed), abs(drive.speed) * time) for body, drive in drives.items())
 
     def walks(self, step: Step) -> int:
-        """How many instants a step has: at each one bodies have moved."""
-        return self.outcome(self.storeys(step.before), self.driven(step.before, step.line)).instants
+        """As often as makes what is rounded spread by half as many roundings: the rest is for ties."""
+        driven, time = self.driven(step.before, step.line)
+        moments, _ = run(self.profile.rules, self.storeys(step.before), self.drives(driven), time)
+        return max(1, ceil(2 * spread(moments) / ROUNDINGS))
 
     def judge(self, step: Step, tolerance: Fraction) -> tuple[Judgement, list[Difference]]:
         """Where the bodies are after a step, and what the line says of their ways; of events in exact numbers."""
@@ -168,9 +170,7 @@ class OfSteps:
         drives, after = self.drives(driven), before.copy()
         moments, chosen = run(self.profile.rules, after, drives, time + before.margin * 0, most)
         moved = {body: sum((m.velocities[body] * value_of(m.moved) for m in moments), Fraction(0)) for body in drives}
-        return Outcome(
-            after, moved, tuple(told(names, time, moments)), moments[-1].velocities, chosen.chosen, len(moments)
-        )
+        return Outcome(after, moved, tuple(told(names, time, moments)), moments[-1].velocities, chosen.chosen)
 
     def among_all_ways(
         self, step: Step, before: StoreyWorld[Any], seen: StoreyWorld[Any], tolerance: Fraction, first: Outcome

@@ -126,7 +126,7 @@ class Untied:
 
 
 def rows_of(world: StoreyWorld[Any], marks: set[Mark]) -> set[tuple[Any, bool]]:
-    """The rows of all storeys from left to right; one that closes as it is listed first."""
+    """The rows of all storeys from left to right; of one that closes, who is in it."""
     found = [one for storey in world.storeys() for one in rows(world, storey, marks)]
     return {(tuple(sorted(row) if closed else row), closed) for row, closed in found}
 
@@ -177,7 +177,8 @@ def settling_looks_alike(rules: StepRules, given: Given, setting: Setting, view:
     world: Any = any_places(given, setting)
     zero, lost = world.margin * 0, set()
     given.assume(every([margins_kept(world, zero), outside_terrain(world, zero)]), APART)
-    given.assume(WALLS_THICK.holds(world, zero), WALLS_THICK.id)
+    if view.turned:
+        given.assume(WALLS_THICK.holds(world, zero), WALLS_THICK.id)
     for body in setting.drives:
         holds = every([is_held(world, body, zero)])
         if given.flag(f"{body} has lost its support"):
@@ -234,12 +235,12 @@ def members_look_alike(rules: StepRules, given: Given, view: View) -> None:
         parts.append(rules.meet.choose(meeting).effect(meeting))
     part, twin = parts
     wished = view.of_member(part)
-    given.ensure("it takes part alike", (wished.wish == twin.wish) & True)
+    given.ensure("it takes part alike", wished.wish == twin.wish)
     given.ensure("it is held alike", (wished.pushes, wished.walls) == (twin.pushes, twin.walls))
 
 
 def facts_look_alike(rules: StepRules, given: Given, view: View) -> None:
-    """Any wish, any time until something comes, and any choice of a top, in another view."""
+    """Any wish, and any time until something comes, are the same in another view."""
     drive, carried = Drive(any_way(given, 0), given.flag("relative to the support")), any_way(given, 1)
     body, other = view.bodies[0], 0
     urge, twin = Urge(body, drive, carried), Urge(other, view.of_drive(drive), view.of_way(carried))

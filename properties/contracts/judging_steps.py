@@ -351,6 +351,32 @@ INSTANTS: tuple[Invented, ...] = (
 )
 
 
+def of_one(name: str, breaks: str, times: int, world: StoreyWorld[Fraction], driven: int = 1) -> Invented:
+    """A step of so many stretches without time in a world of which so many are driven."""
+    bodies = len(world.places)
+    drives = [rides(1)] * driven + [rides()] * (bodies - driven)
+    return repeated(name, breaks, times, stretch(world, [0] * bodies, drives, 0))
+
+
+PIECES, BOTH = [[(3, 4), (6, 7)]], "instants instants-of-one"
+OF_ONE: tuple[Invented, ...] = (
+    of_one("as many instants as one driven body has", "instants", 8, line(A)),
+    of_one("an instant too many of one driven body", BOTH, 9, line(A)),
+    of_one("as many instants as two with one drive have", "instants", 45, line(A, B)),
+    of_one("an instant too many of two with one drive", BOTH, 46, line(A, B)),
+    of_one("as many instants as one drive with two pieces has", "instants", 16, line(A, solid=PIECES)),
+    of_one("an instant too many with two pieces", BOTH, 17, line(A, solid=PIECES)),
+    of_one("an instant too many of one driven below a piece", BOTH, 9, line(A, solid=[(), [(3, 4)]])),
+    of_one("as many instants as one driven above a piece has", "instants", 24, line(at(4, 6, 1), solid=[HIGH])),
+    of_one("an instant too many of one driven above a piece", BOTH, 25, line(at(4, 6, 1), solid=[HIGH])),
+    of_one("more instants of two driven", "instants", 46, line(A, B), driven=2),
+    of_one("more instants where one may not push", "instants", 46, line(A, at(3, 5, pushes=False))),
+    of_one("more instants of four bodies", "", 26, line(A, B, at(6, 8), at(9, 11)), driven=4),
+    repeated("as many instants as one driven round a ring has", "instants", 10, stretch(ring(A), [HALF])),
+    repeated("an instant too many of one driven round a ring", BOTH, 11, stretch(ring(A), [HALF])),
+)
+
+
 def left(
     name: str, breaks: str, world: StoreyWorld[Any], speeds: Sequence[Any], **seats: tuple[int, int | None]
 ) -> Invented:
@@ -494,7 +520,7 @@ SEATS: tuple[Invented, ...] = (
 
 def bank() -> tuple[Invented, ...]:
     """All steps."""
-    return (*PLACES, *MOVES, *CAUSES, *KEYS, *INSTANTS, *SEATS)
+    return (*PLACES, *MOVES, *CAUSES, *KEYS, *INSTANTS, *OF_ONE, *SEATS)
 
 
 def misjudged(one: Invented) -> tuple[str, ...]:

@@ -1,5 +1,5 @@
-"""What is shown of steps in which one body is driven and all may push: of any body in a row, with whoever is behind it
-and ahead of it, in an arbitrary stretch of a step on a line.
+"""What is shown of steps in which one body is driven, or some are one way, and all may push: of any body in a row, with
+whoever is behind it and ahead of it, in an arbitrary stretch of a step on a line.
 
 As in `stretches`, the time is its own unit: a velocity is the way that a body goes. All is counted in the direction of
 the drive, `ahead`. How far a body may go at most, its *limit*, is the least of its way to the wall and of the room to
@@ -219,11 +219,11 @@ def at_first_nobody_has_gone(rules: StepRules, given: Given) -> None:
 
 
 def wishes_go_one_way(rules: StepRules, given: Given) -> None:
-    """A body that is not driven wishes what its support does, or nothing if it is to move in the plane. The driven one
-    wishes its drive: its support stands, since nobody below it wishes to go.
+    """Who is driven in the plane, or on what stands, wishes its drive. Anybody else wishes what its support does, or
+    nothing if that is meant in the plane. Where one is driven, its support stands, since nobody below wishes to go.
     """
     way, driven, relative = way_of_drive(given), given.flag("it is driven"), given.flag("relative to the support")
-    carried = way * 0 if driven else none_or(given, way, "way of its support")
+    carried = way * 0 if driven and relative else none_or(given, way, "way of its support")
     urge = Urge(0, Drive(way if driven else way * 0, relative), carried)
     wish = rules.wish.choose(urge).effect(urge)
     given.ensure(

@@ -14,12 +14,12 @@ from typing import Any
 
 from properties.contracts.contract import REAR, SEGMENT_EXACT, Ahead, Stretch, assume_required, promise
 from properties.contracts.request import any_round, seen_by, stand_in
-from properties.contracts.strings import GAPS_FIT, border_and_neighbour, world_with
+from properties.contracts.strings import GAPS_FIT, any_edge, border_and_neighbour, level_of, place, world_with
 from properties.engine.rounded import Machine, Rounded
 from properties.given import Given
 from reference.world import Facing, World
 from spec.body import EdgePosition
-from spec.conditions import EDGES_LONG
+from spec.conditions import EDGES_LONG, IN_ORDER
 from spec.graph import Direction
 from spec.invariants import equal
 from spec.number import greater
@@ -33,6 +33,9 @@ from spec.transform import mirror, with_numbers
 OF_A_SEGMENT, OF_A_SEGMENT_ON_A_RING, OF_A_WALK = 12, 14, 2
 """How many roundings off a segment is at most, and a walk of one border."""
 
+OF_A_MARGIN, OF_WHAT_IS_NEARER = 5, 2
+"""How many roundings nearer than the margin a push on one edge leads, and to a body that was nearer than it before."""
+
 OVER = 3
 """How many roundings a border may go further than was asked; what a request says is rounded once more."""
 
@@ -45,7 +48,7 @@ LITTLE = 16
 class Neighbour:
     """The body ahead, by what its own request does: it moves as far as it can but for `off`, says so but for `astray`.
 
-    It has `pushed` on by so much, when it has been asked.
+    When it has been asked, it has `pushed` on by so much, and `says` that it has.
     """
 
     machine: Machine
@@ -53,6 +56,7 @@ class Neighbour:
     off: Any
     astray: Any
     pushed: Any
+    says: Any = 0
 
     def answers(self, given: Given, asked: Rounded) -> Rounded:
         """What it says that it has moved."""
@@ -63,7 +67,8 @@ class Neighbour:
         given.assume(self.pushed <= self.able + self.off, "it moves no further than it can, nearly")
         far = (says == asked.held) | (self.pushed >= self.able - self.off)
         given.assume(far, "it moves by what was asked, or as far as it can, nearly")
-        return Rounded(self.machine, says)
+        self.says = answer = Rounded(self.machine, says)
+        return answer
 
 
 @dataclass(frozen=True)
@@ -189,6 +194,30 @@ def walk_is_nearly_exact(
         given, REAR, replace(stretch, moved=moved, going=after.going, reach=scene.reach, tolerance=within), REAR.ensures
     )
     goes_by_what_it_says(given, before, after, moved)
+
+
+def push_keeps_the_margin_nearly(
+    profile: Profile, given: Given, direction: Direction, apart: int = OF_A_MARGIN, nearer: int = OF_WHAT_IS_NEARER
+) -> None:
+    """On one edge, whoever pushes comes no nearer to the next body than the margin, or than it was, but for roundings.
+
+    The body ahead goes as far as it says, by a sum of its own.
+    """
+    machine, margin, length = Machine(given), given.number("margin"), any_edge(given, "the edge")
+    near, far = place(given, "the front", 0, length), place(given, "the body ahead", 0, length)
+    given.assume(far.location >= near.location, IN_ORDER.id)
+    ends = EdgePosition(0, length * 0), EdgePosition(0, length)
+    level = level_of([length], False, margin, (ends[0], near), (far, ends[1]))
+    exact = world_with(level if direction is Direction.RIGHT else mirror(level), None).facing(direction)
+    scene = Scene(machine, exact, held_by(machine, exact.world, None).facing(direction))
+    gap, facing = exact.gap(exact.front(0), 1), scene.view.rear(1)
+    spare, before = given.natural("bodies that may still be asked"), any_motion(given, scene)
+    _, other = ahead_of(given, scene, spare)
+    after = ran(profile, given, scene, before, spare, other)
+    gone = (scene.view.along(facing, other.says).location.held - facing.location.held) * direction
+    left = gap + gone - scene.moved(after)
+    was_nearer = (gap < margin) & (left >= gap - nearer)
+    given.ensure("the margin is kept, nearly, or it comes no nearer", (left >= margin - apart) | was_nearer)
 
 
 @dataclass

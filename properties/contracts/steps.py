@@ -86,11 +86,11 @@ def contacts_do_not_close(rules: StepRules, given: Given) -> None:
     found = cut(rules, row, speeds)
     (right, left), (other_right, other_left) = found
     given.ensure("they do not come nearer", right - left <= other_right - other_left)
-    for member, (to_right, to_left), (most_right, most_left) in zip(row, found, speeds, strict=True):
-        given.ensure("no speed is negative", (to_right >= 0) & (to_left >= 0))
-        given.ensure("no way makes faster", (to_right <= most_right) & (to_left <= most_left))
-        given.ensure("nobody moves on at a wall", to_right <= 0 if Direction.RIGHT in member.walls else True)
-        given.ensure("nor on the other side", to_left <= 0 if Direction.LEFT in member.walls else True)
+    for member, own, most in zip(row, found, speeds, strict=True):
+        for way, speed, bound in zip((Direction.RIGHT, Direction.LEFT), own, most, strict=True):
+            given.ensure("no speed is negative", speed >= 0)
+            given.ensure("no way makes faster", speed <= bound)
+            given.ensure("nobody moves on at a wall", speed <= 0 if way in member.walls else True)
 
 
 def squeezed_bodies_stand(rules: StepRules, given: Given) -> None:
@@ -98,12 +98,13 @@ def squeezed_bodies_stand(rules: StepRules, given: Given) -> None:
     member, (right, left), closed = any_member(given, 0), any_speeds(given, 0), given.flag("the row closes on itself")
     meeting = Meeting(member, right, left, closed)
     part = rules.meet.choose(meeting).effect(meeting)
-    ((to_right, to_left),) = cut(rules, [part], [any_speeds(given, 1)])
+    (speeds,) = cut(rules, [part], [any_speeds(given, 1)])
     if closed or (right > 0 and left > 0):
-        given.ensure("it stands", (to_right <= 0) & (to_left <= 0))
+        for speed in speeds:
+            given.ensure("it stands", speed <= 0)
         given.ensure("it passes nothing on", not part.pushes)
     else:
-        given.ensure("else it is as it was", every([part.wish == member.wish, part.walls == member.walls]))
+        given.ensure("else it is as it was", part is member)
 
 
 def tops_are_chosen(rules: StepRules, given: Given) -> None:
@@ -115,10 +116,12 @@ def tops_are_chosen(rules: StepRules, given: Given) -> None:
     left, right = (Top(name, given.number("over") - given.number(f"beside {name}")) for name in names)
     footing = Footing(0, holds=False, ground=False, tops=(left, right), motion=motion)
     found = rules.settle.choose(footing).effect(footing)
+    given.ensure("it stands on one of them", found.stands and found.support in names)
     chosen, other = (left, right) if found.support == left.body else (right, left)
-    given.ensure("it stands on one of them", found.stands and found.support == chosen.body)
-    if motion > 0 or motion < 0:
-        given.ensure("it is the last one in its motion", chosen is (right if motion > 0 else left))
+    if motion > 0:
+        given.ensure("it is the last one in its motion", chosen is right)
+    elif motion < 0:
+        given.ensure("it is the last one in its motion", chosen is left)
     else:
         no_more = chosen.overlap >= other.overlap if chosen.body < other.body else chosen.overlap > other.overlap
         given.ensure("it is over no other more, or as much if that is first", no_more)

@@ -29,8 +29,7 @@ def rest(body: int, speed: Any, ahead: Direction) -> Member[Any]:
 
 def reaching(rules: RowRules, passed: Any, row: Sequence[Member[Any]], ahead: Direction) -> list[Any]:
     """The speeds that reach members when one is passed on to the first; and what the last passes on."""
-    beyond = Member(BEYOND, passed * 0, pushes=False, walls=frozenset())
-    return forwards(rules, [rest(BEHIND, passed, ahead), *row, beyond], ahead)[1:]
+    return forwards(rules, [rest(BEHIND, passed, ahead), *row, rest(BEYOND, passed * 0, ahead)], ahead)[1:]
 
 
 @dataclass(frozen=True)

@@ -2,7 +2,9 @@
 
 A sum above 0 is not rounded to 0 or below, nor one below it to 0 or above, and the same sum of the same numbers is
 rounded alike: so it is in all binary floats. All else is exact: comparisons, and products with a number that changes
-only the sign or the exponent. A product with any other number is refused, since it would be rounded too.
+only the sign or the exponent. A product with another known number is rounded as a sum is. A quotient is too, but by
+what a rounding would be if it were divided alike: so large an error it makes when it is multiplied again. A product of
+two numbers of the machine is refused.
 
 A rounding is the unit: what is shown of it is shown of a rounding of any size, for then all numbers are as many times
 larger. It knows nothing of bodies.
@@ -37,6 +39,10 @@ class Machine:
         signs = ((exact >= 0) == (result >= 0)) & ((exact <= 0) == (result <= 0))
         self.given.assume((error <= 2) & signs, A_ROUNDING)
         return Rounded(self, result)
+
+    def divided(self, one: Rounded, by: Any) -> Rounded:
+        """A quotient by a known number."""
+        return one if by == 1 else Rounded(self, self.rounded(one.held).held / Fraction(by))
 
     def sum(self, one: Any, two: Any) -> Rounded:
         """A sum; the order of the two is nothing to it."""
@@ -74,14 +80,21 @@ class Rounded:
         return self if is_nothing(other) else self.machine.difference(self, other)
 
     def __mul__(self, other: Any) -> Rounded:
-        if not isinstance(other, int | Fraction) or other not in WITHOUT_ERROR:
+        if not isinstance(other, int | Fraction):
             raise TypeError(f"a product with {other} is rounded, in a way that is not known here")
         if other == 1:
             return self
+        if other not in WITHOUT_ERROR:
+            return self.machine.once("*", self, other, lambda: self.machine.rounded(self.held * other))
         nothing = self.nothing or other == 0
         return self.machine.once("*", self, int(other), lambda: Rounded(self.machine, self.held * int(other), nothing))
 
     __rmul__ = __mul__
+
+    def __truediv__(self, other: Any) -> Rounded:
+        if not isinstance(other, int | Fraction):
+            raise TypeError(f"a quotient by {other} is rounded, in a way that is not known here")
+        return self.machine.once("/", self, other, lambda: self.machine.divided(self, other))
 
     def __lt__(self, other: Any) -> Any:
         return self.held < held(other)

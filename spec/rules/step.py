@@ -218,6 +218,11 @@ def present(world: Storeys[N], marks: set[Mark]) -> set[Mark]:
     return {mark for mark in marks if not isinstance(mark, Contact) or (mark.left, mark.right) in pairs}
 
 
+def settled(world: Storeys[N], marks: set[Mark]) -> set[Mark]:
+    """What is recorded when bodies have settled: what is left of what was, and what touches, as at the beginning."""
+    return present(world, marks) | touching(world)
+
+
 def step(
     rules: StepRules, world: Storeys[N], drives: Mapping[int, Drive[N]], duration: N
 ) -> Generator[Moment[N], None, None]:
@@ -235,7 +240,7 @@ def step(
         marks = go_on(world, speeds, instant.after, marks) | {event.mark for event in instant.events}
         lost = {mark for mark in marks if isinstance(mark, Seat)}
         changes = tuple(settle(rules.settle, world, speeds, lost))
-        marks = present(world, marks) | touching(world) if changes else marks
+        marks = settled(world, marks) if changes else marks
         left = left - instant.after
         yield Moment(left, instant.after, speeds, instant.events, changes)
         if instant.last:

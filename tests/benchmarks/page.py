@@ -18,12 +18,15 @@ from rich.console import Console
 from rich.table import Table
 
 from benchmarks.other import MOST_SECONDS
+from benchmarks.steps import IN_BATCH
 
 AIM = 500
 MOST_SECONDS_OF_CHECK = 20
 CORES_OF_CHECK = 2
 CLAIMS = {True: "one character", False: "all are characters"}
 OURS = ("paths", "merged", "contract")
+STEPPED = ("exact", "float", "one level", "batch", "Box2D")
+BATCH_AIM, FLOAT_AIM = 50, 0.5
 
 
 @dataclass(frozen=True)
@@ -191,10 +194,88 @@ def obligations(measured: list[Measured]) -> Figures:
     return Figures("Obligations per second", text, header, rows)
 
 
+def micro(item: Measured, bodies: int = 1) -> float:
+    """Microseconds per step, or per step and body."""
+    return item.seconds / item.about["steps"] / bodies * 1e6
+
+
+def by_way(measured: list[Measured], group: str, *keys: str) -> dict[tuple[Any, ...], dict[str, Measured]]:
+    """The benchmarks of a group by what they are about, and by way."""
+    found: dict[tuple[Any, ...], dict[str, Measured]] = {}
+    for item in measured:
+        if item.group == group:
+            found.setdefault(tuple(item.about[key] for key in keys), {})[item.about["way"]] = item
+    return found
+
+
+def faster(ways: dict[str, Measured], way: str) -> float:
+    """How many times faster a way is than Box2D."""
+    return ways["Box2D"].seconds / ways["Box2D"].about["steps"] / (ways[way].seconds / ways[way].about["steps"])
+
+
+def judged(scenes: list[dict[str, Measured]], way: str, least: float) -> str:
+    """Whether a way is so many times as fast as Box2D in all scenes, and how fast it is."""
+    factors = [faster(ways, way) for ways in scenes]
+    reached = sum(factor >= least for factor in factors)
+    verdict = "reaches it" if reached == len(factors) else f"falls short of it in {len(factors) - reached}"
+    return f"{way} {verdict} of {len(factors)} scenes (×{number(min(factors))} to ×{number(max(factors))})"
+
+
+def steps_beside(measured: list[Measured]) -> Figures:
+    """How long a step takes, beside Box2D."""
+    scenes = by_way(measured, "steps", "kind", "bodies")
+    rows = []
+    for (kind, bodies), ways in scenes.items():
+        times_ = (number(micro(ways[way], bodies)) for way in STEPPED)
+        come, factors = ways["Box2D"].about["come"], (f"×{number(faster(ways, way))}" for way in ("float", "batch"))
+        rows.append((kind, str(bodies), *times_, *factors, str(ways["exact"].about["choices"]), f"{come:.0%}"))
+    several = list(scenes.values())
+    text = (
+        "Microseconds for each body and step, and how many times faster than Box2D that is. The aim of a batch is "
+        f"×{BATCH_AIM}: {judged(several, 'batch', BATCH_AIM)}. The aim in floats is ×{FLOAT_AIM}: "
+        f"{judged(several, 'float', FLOAT_AIM)}, {judged(several, 'one level', FLOAT_AIM)}. How far the last body of a "
+        "row or stack comes in Box2D is told as a part of what the first is driven; here it is all of it."
+    )
+    header = ("scene", "bodies", *STEPPED, "float: times", "batch: times", "choices of a rule", "comes in Box2D")
+    return Figures("Steps beside Box2D", text, header, rows)
+
+
+def beside_others(measured: list[Measured]) -> Figures:
+    """How long a step takes with more and more who stand by."""
+    scenes = by_way(measured, "standing by", "standing_by")
+    rows = [
+        (f"{by:,}", *(number(micro(ways[way])) for way in STEPPED), str(ways["exact"].about["choices"]))
+        for (by,), ways in scenes.items()
+    ]
+    counts = {ways[way].about["choices"] for ways in scenes.values() for way in ("exact", "float")}
+    few, many = scenes[min(scenes)], scenes[max(scenes)]
+    grown = ", ".join(f"{way} ×{number(micro(many[way]) / micro(few[way]))}" for way in STEPPED)
+    text = (
+        "Microseconds for each step of a row of ten. The aim is a cost independent of what is not touched. As counted, "
+        f"the rules {'reach' if len(counts) == 1 else 'fall short of'} it; in time, the greatest scene takes, of what "
+        f"the smallest does: {grown}. A batch steps all bodies of its levels."
+    )
+    header = ("standing by", *STEPPED, "choices of a rule")
+    return Figures("Steps beside others who stand by", text, header, rows)
+
+
+def closed_forms(measured: list[Measured]) -> Figures:
+    """In how many steps of a batch there is a closed form."""
+    (random,) = (item for item in measured if item.group == "random levels")
+    pushed = min(item.about["share"] for item in measured if item.group != "random levels" and "share" in item.about)
+    rows = [("rows and stacks", f"{pushed:.0%}"), ("random levels", f"{random.about['share']:.0%}")]
+    text = (
+        "All other steps of a batch go from event to event. Random levels are lines of up to eight bodies, with pits "
+        "and riders, where any number of bodies is driven, to both sides. A batch of them takes "
+        f"{number(micro(random))} microseconds a step."
+    )
+    return Figures("How often a batch has a closed form", text, ("levels", "steps with a closed form"), rows)
+
+
 INTRODUCTION = """# Benchmarks
 
 `make bench` writes this page. All of it is measured in one run, in seconds of the processor, without start-up; of three
-rounds the median counts, of CrossHair and of the obligations there is one round.
+rounds the median counts, of steps that of five; of CrossHair and of the obligations there is one round.
 
 The claim is about a tick of a row on one level edge, between walls: all keep the margin. In a tick either the first
 body is a character and moves, or all bodies are and move in turn, each at a speed of its own. The sizes of bodies, the
@@ -208,6 +289,15 @@ room between them and their speeds are arbitrary. The rules' own code runs on a 
   the induction in [proofs.md](proofs.md); the others prove the size at hand.
 - **simulator**: paths too, but the reference simulator runs, with all that it looks up and records.
 - **CrossHair**: the contract is an `assert` of a function on integers; it may explore all paths, for {most} s at most.
+
+Steps of `repaired` are timed beside those of Box2D: rows in contact of which the first is driven, and stacks of which
+the lowest is ([tests/benchmarks/steps.py](../tests/benchmarks/steps.py)):
+
+- **exact**, **float**: the rules, from event to event, in fractions and in floats, on those whom the step can reach.
+- **one level**, **batch**: the closed form ([reference/batch.py](../reference/batch.py)) of one level, and of as many
+  as have {batch} bodies, in floats.
+- **Box2D**: the same boxes, through its Python binding, with its settings in Unity; the first has its speed set in
+  each tick.
 """
 
 ENDING = """## What the figures do not say
@@ -218,13 +308,17 @@ is more to tell apart. The proofs of `make check` are of rows on any string with
 contract here. With one character there are few paths, and neither merging nor the contract gains much on them; a wrong
 claim is broken on the first path, so merging only delays it. Figures of other runs differ by about a third.
 
+Box2D solves forces, friction and momentum, of which a step here has none; what comes of it is not the same, as the last
+column of its table tells. Its time grows with contacts, ours with bodies. It is a compiled program, called once a step;
+the rules run in Python, each choice of one being a few calls.
+
 Measured with {versions}, on {cores} cores.
 """
 
 
 def versions() -> str:
     """What the figures depend on."""
-    packages = ("z3-solver", "crosshair-tool", "pytest-benchmark")
+    packages = ("z3-solver", "crosshair-tool", "numpy", "box2d", "pytest-benchmark")
     return ", ".join([f"Python {platform.python_version()}", *(f"{name} {version(name)}" for name in packages)])
 
 
@@ -232,13 +326,14 @@ def page(figures: list[Figures]) -> str:
     """The page."""
     sections = [item.markdown() for item in figures]
     ending = ENDING.format(versions=versions(), cores=os.cpu_count())
-    return "\n".join([INTRODUCTION.format(most=MOST_SECONDS), *sections, ending])
+    return "\n".join([INTRODUCTION.format(most=MOST_SECONDS, batch=IN_BATCH), *sections, ending])
 
 
 def main(results: Path, target: Path) -> None:
     """Print the tables, and write the page."""
     measured = read(results)
-    makers = (ratios, refutations, growth, obligations, seconds_beside, seconds_of_growth)
+    proofs = (ratios, refutations, growth, obligations)
+    makers = (*proofs, steps_beside, beside_others, closed_forms, seconds_beside, seconds_of_growth)
     figures = [maker(measured) for maker in makers]
     for item in figures:
         item.show(Console())

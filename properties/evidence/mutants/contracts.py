@@ -23,8 +23,15 @@ OBLIGATIONS = (
     "properties.contracts.lemma",
     "properties.contracts.leaving",
     "properties.contracts.families",
+    "properties.contracts.steps",
+    "properties.contracts.step_families",
+    "properties.contracts.sweeps",
+    "properties.contracts.stretches",
+    "properties.contracts.instants",
     "properties.worlds.window",
 )
+WHOLE_STEPS = ("seen_by", "steps_keep_the_invariants", "steps_have_mirror_images", "steps_may_be_split")
+"""What is about worlds of fixed shape, on which no mutants are tried."""
 PREMISES = "other premises"
 
 Calls = Mapping[str, frozenset[str]]
@@ -36,7 +43,7 @@ Caught = Mapping[str, Iterable[Kill]]
 
 def weakened(modules: Iterable[str]) -> dict[str, Mutant]:
     """All mutants of some modules by the operators that drop, widen or negate."""
-    return told_apart([mutant for module in modules for mutant in mutants_of(module, operators=WEAKENING)])
+    return told_apart([one for module in modules for one in mutants_of(module, *WHOLE_STEPS, operators=WEAKENING)])
 
 
 @cache

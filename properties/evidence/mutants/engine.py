@@ -15,7 +15,12 @@ from typing import Any
 from properties.evidence.mutants.mutant import Mutant, mutants_of, told_apart
 from properties.evidence.mutants.trial import CRASHING, DoesNotEnd, ended
 
-ENGINE = ("properties.engine.explore", "properties.engine.reals", "properties.engine.simplest")
+ENGINE = (
+    "properties.engine.explore",
+    "properties.engine.formulas",
+    "properties.engine.reals",
+    "properties.engine.simplest",
+)
 TESTS = Path("tests/test_engine.py")
 TELLING = ("AssertionError", "EngineError", "Failed")
 

@@ -23,6 +23,7 @@ from spec.profiles import REPAIRED
 from spec.rules.event import Nearing, time_left
 from spec.rules.row import forwards
 from spec.rules.settle import on_its_storey
+from spec.rules.velocity import Bounded, Grip, at_the_bound, outruns_friction, slowed, too_fast
 from spec.stepped import beside_wall, one_speed
 from spec.storeys import Contact, Drive, Interval
 
@@ -148,6 +149,14 @@ def keys_of_any_speed(mutant: Mutant, given: Given) -> None:
     promise_alike(given, mutant, lambda: [bool(one_speed(one))])
 
 
+def velocities_that_are_lessened(mutant: Mutant, given: Given) -> None:
+    """Any velocity of which friction leaves something, and that is above the maximum: of no other the rules ask."""
+    velocity = given.number("velocity to the right") - given.number("velocity to the left")
+    grip, bounded = Grip(velocity, given.number("loss")), Bounded(velocity, velocity, given.number("maximum"))
+    given.assume(bool(outruns_friction(grip)) and bool(too_fast(bounded)), "the rules apply")
+    promise_alike(given, mutant, lambda: [slowed(grip), at_the_bound(bounded)])
+
+
 EQUAL: dict[str, Callable[[Mutant, Given], None]] = {
     "plane.Box.beside: False instead of True (2)": heights_of_bodies,
     "plane.negated: truth <= False instead of truth == False": plain_truths,
@@ -164,6 +173,7 @@ EQUAL: dict[str, Callable[[Mutant, Given], None]] = {
     "stepped.one_speed: key > zero_like(key) instead of key >= zero_like(key)": keys_of_any_speed,
     "storeys.without: right < piece.left instead of right <= piece.left": pieces_and_cuts,
     "storeys.without: left > piece.right instead of left >= piece.right": pieces_and_cuts,
+    "velocity.signed: like <= zero_like(like) instead of like < zero_like(like)": velocities_that_are_lessened,
     "event.time_left: nearing.room instead of greater(nearing.room, zero_like(nearing.room))": what_comes_nearer,
 }
 

@@ -66,14 +66,12 @@ def alike(own: Callable[[], Any], other: Callable[[], Any]) -> Any:
     return value
 
 
-REMEMBERED: dict[int, Any] = {}
-"""What remembers the results of a function, by the identity of the function."""
-
-
 def forget(target: Any) -> None:
-    """Have nothing remembered that a function returned."""
-    if id(target) in REMEMBERED:
-        REMEMBERED[id(target)].cache_clear()
+    """Have nothing remembered that functions of the module of a function have returned: they may have called it."""
+    if isinstance(target, FunctionType):
+        for one in vars(importlib.import_module(target.__module__)).values():
+            if hasattr(one, "cache_clear"):
+                one.cache_clear()
 
 
 def called(code: CodeType) -> str:
@@ -87,8 +85,6 @@ def function_of(module: str, name: str) -> FunctionType:
     for part in name.split("."):
         found = vars(found)[part]
     found = found.fget if isinstance(found, property) else getattr(found, "__func__", getattr(found, "func", found))
-    if hasattr(found, "cache_clear"):
-        REMEMBERED[id(found.__wrapped__)] = found
     bare = getattr(found, "__wrapped__", found)
     assert isinstance(bare, FunctionType)
     return bare

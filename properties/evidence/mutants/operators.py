@@ -72,6 +72,24 @@ BY_HAND: dict[str, tuple[str, ...]] = {
         "self.spare > 0 and self.pushes and (self.neighbour is None or self.neighbour < self.margin)",
     ),
     "Way(motion.rest, blocked=False)": ("Way(distance, blocked=False)", "Way(motion.rest * 0, blocked=False)"),
+    "rules.way.choose(way).effect(way)": (
+        "rules.way.choose(way).effect(way) + speed",
+        "rules.way.choose(way).effect(way) - speed",
+    ),
+    "Way(member.body, speed, direction in member.walls, found[-1] if found else None)": (
+        "Way(member.body, speed + speed, direction in member.walls, found[-1] if found else None)",
+    ),
+    "not isinstance(mark, Contact) or (mark.left, mark.right) in pairs": (
+        "isinstance(mark, Contact) and (mark.left, mark.right) in pairs",
+        "True",
+    ),
+    "world.tops(body)": ("()",),
+    "bool(world.grounded(body))": ("False",),
+    "Seat(body, storey, top) not in lost": ("True",),
+    "turn.own": ("turn.own + turn.passed",),
+    "footing.tops[-1]": ("footing.tops[0]",),
+    "footing.tops[0]": ("footing.tops[-1]",),
+    "urge.drive.relative": ("urge.drive.relative and urge.carried >= urge.carried * 0",),
     "walk_freely(tow.walk, tow.view, tow.rear, tow.moved).at": (
         "tow.view.along(tow.rear, tow.moved)",
         "tow.view.along(tow.rear, tow.moved + tow.view.margin)",

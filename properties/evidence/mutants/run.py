@@ -100,6 +100,8 @@ GROUPS: dict[str, Callable[[], dict[str, Mutant]]] = {
 }
 WRONG = ("rules", "steps", "velocity", "display", "worlds", "contracts")
 """The groups of which obligations are to notice each."""
+OF_RULES = ("rules", "steps", "velocity", "display")
+"""The groups of which all obligations that catch one are recorded."""
 OF_A_FAMILY = {"velocity", "display"}
 """The groups that are caught by what the claims of one family rest on, which has the name of the group."""
 
@@ -208,11 +210,22 @@ def kills_by_runs(witnesses: Mapping[str, Texts]) -> Iterator[Kill]:
 
 
 def taken_over(known: Known, group: str, name: str) -> Found | None:
-    """What was recorded of a mutant, if all that caught it still does, or if it only crashed."""
+    """What was recorded of a mutant, if all that caught it still does, with what new obligations catch; or that it only
+    crashed.
+    """
     kills, aside = known.recorded.kills.get(group, {}).get(name, ()), known.recorded.equal.get(name, "")
     if kills and not complaints(known.premises, group, name, kills):
-        return Found(kills)
+        return Found((*kills, *kills_by_new_proofs(known, group, name)))
     return Found((), aside) if aside.startswith(CRASHING) else None
+
+
+def kills_by_new_proofs(known: Known, group: str, name: str) -> Iterator[Kill]:
+    """The obligations that catch a mutant of the rules, of those that the record does not know yet."""
+    calls = {one: called for one, called in known.calls.items() if one not in known.recorded.premises}
+    if group in OF_RULES:
+        mutant = GROUPS[group]()[name]
+        with mutant.in_place():
+            yield from kills_by_proofs(mutant, calls)
 
 
 def found_of(group: str, name: str) -> Found:

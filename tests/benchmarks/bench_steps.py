@@ -1,0 +1,48 @@
+"""What `make bench` times of steps: those of the rules beside those of Box2D, in seconds of the processor."""
+
+import pytest
+
+from benchmarks.rigid import in_box2d
+from benchmarks.steps import IN_BATCH, SPEED, TICK, Pushed, at_once, by_events, of_random_levels
+
+ROUNDS = 5
+WAYS = {
+    "exact": lambda scene: by_events(scene, floats=False),
+    "float": lambda scene: by_events(scene, floats=True),
+    "one level": lambda scene: at_once(scene, 1),
+    "batch": lambda scene: at_once(scene, IN_BATCH),
+    "Box2D": in_box2d,
+}
+SCENES = [*(("row", bodies) for bodies in (1, 10, 100, 1000)), *(("stack", bodies) for bodies in (1, 10, 100))]
+STANDING_BY = (0, 100, 1_000, 10_000)
+LEVELS = 500
+
+
+def run(benchmark, prepared, **about):
+    prepared.program()
+    benchmark.pedantic(prepared.program, rounds=ROUNDS)
+    benchmark.extra_info.update(about, steps=prepared.steps, **prepared.counted())
+    return prepared.come()
+
+
+@pytest.mark.parametrize("way", WAYS)
+@pytest.mark.parametrize(("kind", "bodies"), SCENES)
+def test_steps(benchmark, way, kind, bodies):
+    benchmark.group = "steps"
+    scene = Pushed(kind, bodies)
+    driven = float(SPEED * TICK * scene.ticks * (ROUNDS + 1))
+    come = run(benchmark, WAYS[way](scene), way=way, kind=kind, bodies=bodies)
+    benchmark.extra_info["come"] = come / driven
+    assert way == "Box2D" or come == pytest.approx(driven)
+
+
+@pytest.mark.parametrize("way", WAYS)
+@pytest.mark.parametrize("standing_by", STANDING_BY)
+def test_standing_by(benchmark, way, standing_by):
+    benchmark.group = "standing by"
+    run(benchmark, WAYS[way](Pushed("row", 10, standing_by)), way=way, standing_by=standing_by)
+
+
+def test_random_levels(benchmark):
+    benchmark.group = "random levels"
+    run(benchmark, of_random_levels(LEVELS))

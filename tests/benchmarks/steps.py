@@ -1,0 +1,128 @@
+"""The scenes of the bench of steps: rows and stacks that are pushed, and rows beside many who stand by.
+
+All bodies are boxes one unit wide, on a floor that is never left. The first is driven to the right, tick by tick.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
+
+import numpy as np
+
+from properties.strategies.storeys import MOST_BODIES, MOST_STOREYS, outing
+from properties.worlds.changes import Drives, floating, in_floats
+from reference.batch import Batch, drives_of
+from reference.scene import Scene
+from reference.stepping import run_in_reach
+from reference.storeys import Place, StoreyWorld, Terrain
+from spec.profiles import REPAIRED
+from spec.storeys import Drive, Interval
+
+TICK, SPEED, MARGIN, APART = Fraction(1, 50), Fraction(1), Fraction(1, 8), 10
+DRIVEN = {0: Drive(SPEED, relative=False)}
+FAR = 30_000
+IN_BATCH = 50_000
+"""How many bodies there are in a batch, in as many levels of the same scene."""
+SLACK = 2.0**-20
+"""Who comes as near as that to losing its support goes by events."""
+
+
+@dataclass(frozen=True)
+class Pushed:
+    """A row in contact, or a stack, of which the first body pushes or carries all others.
+
+    Attributes:
+        standing_by: how many others there are, a unit from each other, and far from those.
+    """
+
+    kind: str
+    bodies: int
+    standing_by: int = 0
+
+    @property
+    def ticks(self) -> int:
+        """How many ticks are timed together."""
+        return max(4, 200 // self.bodies)
+
+    def world(self) -> StoreyWorld[Fraction]:
+        """The bodies on their storeys."""
+        one, apart = Fraction(1), 1 + MARGIN
+        row = [Place(0, place * apart, one, None) for place in range(self.bodies)]
+        stack = [Place(storey, one, one, storey - 1 if storey else None) for storey in range(self.bodies)]
+        by = [Place(0, self.beyond + 2 * place, one, None) for place in range(self.standing_by)]
+        ends = Interval(Fraction(-FAR), Fraction(FAR))
+        return StoreyWorld(Terrain((), ends), MARGIN, [*(row if self.kind == "row" else stack), *by])
+
+    @property
+    def beyond(self) -> Fraction:
+        """Where those begin who stand by."""
+        return self.bodies * (1 + MARGIN) + APART
+
+
+@dataclass(frozen=True)
+class Prepared:
+    """A program that is to be timed.
+
+    Attributes:
+        steps: how many steps of one level it runs.
+        counted: what it has counted.
+        come: how far the last of the pushed bodies has come, in all.
+    """
+
+    program: Callable[[], Any]
+    steps: int
+    counted: Callable[[], dict[str, float]]
+    come: Callable[[], float]
+
+
+def by_events(scene: Pushed, floats: bool) -> Prepared:
+    """The rules, from event to event."""
+    world: StoreyWorld[Any] = in_floats(scene.world()) if floats else scene.world()
+    drives: Drives = floating(DRIVEN) if floats else DRIVEN
+    held, tick, chosen, last = Scene(world), type(world.margin)(TICK), list[int](), scene.bodies - 1
+    start = world.places[last].left
+
+    def program() -> None:
+        for _ in range(scene.ticks):
+            chosen.append(run_in_reach(REPAIRED.rules, held, drives, tick)[1].chosen)
+
+    return Prepared(
+        program, scene.ticks, lambda: {"choices": chosen[0]}, lambda: float(world.places[last].left - start)
+    )
+
+
+def at_once(scene: Pushed, bodies: int) -> Prepared:
+    """The closed form, of as many levels as have so many bodies, or of one."""
+    world, all_drives = in_floats(scene.world()), floating(DRIVEN)
+    count = len(world.places)
+    drives = dict.fromkeys(range(count), Drive(0.0)) | all_drives
+    return of_batch([world] * max(1, bodies // count), [drives] * max(1, bodies // count), scene.ticks, scene.bodies)
+
+
+def of_batch(worlds: Sequence[StoreyWorld[float]], drives: Sequence[Drives], ticks: int, pushed: int) -> Prepared:
+    """A batch of levels, driven for some ticks; the first so many bodies of the first level are pushed."""
+    batch, shares = Batch(worlds, REPAIRED.rules), list[float]()
+    of_all, durations, last = drives_of(drives), np.full(len(worlds), float(TICK)), pushed - 1
+    start = float(batch.left[last])
+
+    def program() -> None:
+        for _ in range(ticks):
+            shares.append(float(np.mean(batch.step(of_all, durations, SLACK))))
+
+    return Prepared(
+        program,
+        ticks * len(worlds),
+        lambda: {"share": sum(shares) / len(shares)},
+        lambda: float(batch.left[last]) - start,
+    )
+
+
+def of_random_levels(levels: int) -> Prepared:
+    """A batch of random lines with pits and riders, in which any number of bodies are driven, to both sides."""
+    made = [outing(number, 1 + number % MOST_BODIES, number % (MOST_STOREYS + 1)) for number in range(2 * levels)]
+    lines = [one for one in made if one.places and one.terrain.circumference is None][:levels]
+    worlds = [in_floats(one.world()) for one in lines]
+    return of_batch(worlds, [floating(one.drives_by_body) for one in lines], 4, 1)
