@@ -6,9 +6,9 @@ judge, which so says of every line what it says without this.
 - Everybody is then on what it was on, within the tolerance of where the closed form has it, apart and between walls.
 - What the line says of moves, supports and the goal is so, and nothing in it is unknown, missing or said otherwise.
 
-The look computes in numbers of 64 bits or more, the tolerance is made of roundings of 53. A place comes about in less
-than 2,000 operations with numbers below four times the largest of the level, for no more bodies than are looked at: one
-rounding of 53 bits is more than all their errors together.
+The look computes in numbers of 64 bits or more; the tolerance is made of roundings of 53. A place comes about in less than
+500 operations, for as many bodies as are looked at: four for each body of its row and those it stands on, ten for each
+storey. Their numbers are below four times the largest of the level. So one rounding of 53 bits is more than all errors.
 """
 
 from __future__ import annotations
@@ -36,8 +36,11 @@ from reference.world import LevelError
 from spec.body import Level
 
 Extended = np.longdouble
-MANTISSA, MOST_BODIES, SMALLEST, NEAR = 63, 24, 2.0**-200, 0.5
-
+MANTISSA, MOST_BODIES = 63, 24
+SMALLEST, LARGEST = 2.0**-200, 2**53
+"""Between these, whole numbers of a log are floats, and sums of its numbers have few enough digits."""
+NEAR = 0.5
+"""Who is nearer to another than this part of the margin is not looked at."""
 
 KeyName = Literal["left", "right", "none"]
 KEYS: tuple[KeyName, ...] = ("left", "right", "none")
@@ -341,8 +344,8 @@ def asked_of(line: Line) -> tuple[Any, dict[str, Any]]:
 
 
 def number(value: float | str) -> Any:
-    """A number of a line."""
-    return value if isinstance(value, float) else extended(exact(value, "$"))
+    """A number of a line, with at least 64 bits."""
+    return Extended(value) if isinstance(value, float) else extended(exact(value, "$"))
 
 
 def is_between(world: StoreyWorld[Fraction], place: Place[Fraction], by: Fraction) -> bool:
@@ -368,7 +371,7 @@ def look_of(log: Recording, referee: OfSteps) -> Look | None:
     off, most = tolerance(header.numbers, level), largest(level)
     error = UNIT_ROUNDOFF["float64"] * most
     fast = any(body.speed * level.tick > most for body in level.bodies)
-    if fast or off < 8 * error or not is_plain(plan.start()):
+    if fast or most >= LARGEST or off < 8 * error or not is_plain(plan.start()):
         return None
     statics = len(level.graph.edges)
     ground = {edge: string for string, one in enumerate(plan.strings) for edge in one.row.edges}
