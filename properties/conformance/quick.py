@@ -6,9 +6,9 @@ judge, which so says of every line what it says without this.
 - Everybody is then on what it was on, within the tolerance of where the closed form has it, apart and between walls.
 - What the line says of moves, supports and the goal is so, and nothing in it is unknown, missing or said otherwise.
 
-The look computes in numbers of 64 bits or more; the tolerance is made of roundings of 53. A place comes about in less than
-500 operations, for as many bodies as are looked at: four for each body of its row and those it stands on, ten for each
-storey. Their numbers are below four times the largest of the level. So one rounding of 53 bits is more than all errors.
+The look computes in numbers of 64 bits or more; the tolerance is made of roundings of 53. A place comes about in less
+than 500 operations, for as many bodies as are looked at: four for each body of its row and those it stands on, ten for
+each storey. Their numbers are below four times the largest of the level. So one rounding of 53 bits is more than all.
 """
 
 from __future__ import annotations
