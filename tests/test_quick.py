@@ -7,12 +7,12 @@ from dataclasses import replace
 from random import Random
 
 import msgspec
+import numpy as np
 import pytest
 
 from properties.comparison.levels import any_level
-from properties.conformance import validate as validation
+from properties.conformance import quick, validate as validation
 from properties.conformance.account import json_line
-from properties.conformance.quick import look_of
 from properties.conformance.validate import validate
 from reference.formats.files import FormatError
 from reference.formats.level import level_record
@@ -47,7 +47,7 @@ def both(monkeypatch, tmp_path):
     counts, path = Counter(), tmp_path / "trace.jsonl"
 
     def counted(log, referee):
-        look = look_of(log, referee)
+        look = quick.look_of(log, referee)
         if look is not None:
             certain = look.certain
 
@@ -175,6 +175,40 @@ def test_the_look_changes_no_account_of_a_random_game(games, both, tmp_path):
             with_look, without = both(log, random.choice((1, 3, 1024)))
             assert with_look == without, number
     assert both.counts["certain"] > 0.2 * both.counts["lines"]
+
+
+def test_where_the_margin_is_broken_for_good_lines_are_looked_at_again_once_that_is_said(both, tmp_path):
+    lines = trace_of(boxes_and_ticks(tmp_path, 1))[1][:120]
+    for place in range(90, len(lines)):
+        line = json.loads(lines[place])
+        for side in ("left", "right"):
+            line["bodies"][0][side]["location"] += 1e-6
+        lines[place] = json.dumps(line).encode()
+    with_look, without = both(lines)
+    assert with_look == without
+    assert json.loads(with_look)["broken"] == {"invariant/no-overlap": 91, "invariant/plane-margin": 91}
+    assert both.counts["certain"] > 0.9 * len(lines)
+
+
+WRONG = {
+    "tolerance": lambda *args, right=quick.tolerance: 100 * right(*args),
+    "furthest": lambda layout, left, drives, times, slack: (left * 0, np.ones(len(times), bool)),
+}
+
+
+@pytest.mark.parametrize("name", WRONG)
+def test_a_wrong_look_changes_accounts(name, both, monkeypatch, tmp_path):
+    lines = trace_of(boxes_and_ticks(tmp_path, 1))[1][:40]
+    line = json.loads(lines[20])
+    for side in ("left", "right"):
+        line["bodies"][0][side]["location"] += 1e-12
+    off, stands = json.dumps(line).encode(), lines[19]
+    log = [*lines[:20], off if name == "tolerance" else stands, *lines[21:]]
+    with_look, without = both(log)
+    assert with_look == without
+    monkeypatch.setattr(quick, name, WRONG[name])
+    with_look, without = both(log)
+    assert with_look != without
 
 
 @pytest.mark.slow
