@@ -12,11 +12,11 @@ not move. Then every velocity is 0 or that speed. A body has come as far as it w
 farther than both only if it is pushed first, and is then carried on by its own support while what has pushed it stands.
 In a row in which no support moves this cannot be: who moves of its own does so to the end, or to a wall that all stop
 at who are in contact behind. Nor can it be where supports that move, once they do, move to the end. Nor where they are
-all of one row: of two of these, with anything that the one behind carries in contact with what the other one carries,
-the one ahead moves only while the one behind does, once that has begun; for if the one behind stops, it stands behind
-a wall, or what carries it does, and so does all in contact ahead of it. What they carry moves so too, and the next
-storey has what this one has. Else, a wall between two supports may stop one before the other begins, with a row above
-that reaches over the wall; so it does not fit, and events decide.
+all of one row and nobody on them is driven: of two of these, with anything that the one behind carries in contact with
+what the other one carries, the one ahead moves only while the one behind does, once that has begun; for if the one
+behind stops, it stands behind a wall, or what carries it does, and so does all in contact ahead of it. What they carry
+moves so too, and the next storey has what this one has. Else, a wall between two supports may stop one before the other
+begins, with a row above that reaches over the wall; so it does not fit, and events decide.
 
 **Supports.** How far a body slides on its support grows while the body is not stopped, and lessens when it is. So the
 greatest way that it slides is where it ends if nothing stops it, and less than its own way else. If that is less than
@@ -304,23 +304,18 @@ def lost(layout: Layout, left: Array, found: Ways, holding_on: Array, slack: Any
     far, under = found.far[riders], found.far[on]
     ahead = np.where(found.stopped[riders] | ~holding_on[riders], far, far - under)
     behind = np.where(holding_on[riders], far - under, under * -1)
-    room = left[on] + (width[on] + layout.margin[riders]) - left[riders]
-    room_left = left[riders] + (width[riders] + layout.margin[riders]) - left[on]
-    result[riders] = reaches((ahead * 0, ahead, behind), room_left, room, slack)
-    far = found.far[fallers]
-    room, room_left = (
-        layout.edges[3, fallers] - left[fallers],
-        left[fallers] + width[fallers] - layout.edges[2, fallers],
-    )
-    result[fallers] = reaches((far * 0, far), room_left, room, slack)
+    to_right = left[on] + (width[on] + layout.margin[riders]) - left[riders]
+    to_left = left[riders] + (width[riders] + layout.margin[riders]) - left[on]
+    result[riders] = reaches((ahead * 0, ahead, behind), to_left, to_right, slack)
+    far, (begins, ends) = found.far[fallers], layout.edges[2:, fallers]
+    to_right, to_left = ends - left[fallers], left[fallers] + width[fallers] - begins
+    result[fallers] = reaches((far * 0, far), to_left, to_right, slack)
     return result
 
 
 def reaches(ways: Sequence[Array], to_left: Array, to_right: Array, slack: Any) -> Array:
     """Whether any of some ways comes as near as a slack to what there is on its side."""
-    found: Array = np.logical_or.reduce(
-        [(far + slack >= to_right) | (far * -1 + slack >= to_left) for far in ways],
-    )
+    found: Array = np.logical_or.reduce([(far + slack >= to_right) | (far * -1 + slack >= to_left) for far in ways])
     return found
 
 
