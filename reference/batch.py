@@ -42,6 +42,9 @@ from spec.storeys import Drive, Interval
 
 Array = NDArray[Any]
 
+MANY_ROWS = 100
+"""As many rows are swept place by place; fewer are swept in one operation, which takes longer for each body."""
+
 
 @dataclass(frozen=True)
 class Standing:
@@ -304,7 +307,11 @@ def accumulate(operation: np.ufunc, values: Array, storey: Storey, direction: Di
         places = values[bodies].reshape(-1, rows)[::direction]
         both = min(rows, len(before))
         operation(before[:both], places[0, :both], out=places[0, :both])
-        operation.accumulate(places, axis=0, out=places)
+        if rows < MANY_ROWS:
+            operation.accumulate(places, axis=0, out=places)
+        else:
+            for one, other in pairwise(places):
+                operation(one, other, out=other)
         before = places[-1]
 
 
