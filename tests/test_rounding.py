@@ -1,16 +1,21 @@
 """Rounding: what the tolerance of the validator rests on, and that correct rows in floats are within it."""
 
+import json
 import random
 from dataclasses import replace
 from fractions import Fraction
 from functools import partial
+from pathlib import Path
 
+import msgspec
 import numpy as np
 import pytest
 
 from properties.claims.rounding import EVENTS, NEARLY, PAIR
 from properties.conformance.judge import Finding, expect, judge
-from properties.conformance.spread import spread
+from properties.conformance.spread import OF_A_MEETING, OF_A_ROOM, OF_A_STRETCH, spread
+from properties.conformance.stepping import OfSteps
+from properties.conformance.validate import OfRequests, validate
 from properties.contracts import floats, rounded_steps, rounding
 from properties.contracts.request import judged
 from properties.engine.explore import explore
@@ -19,6 +24,8 @@ from properties.given import Exact
 from properties.strategies.storeys import outing
 from properties.worlds.changes import in_floats
 from properties.worlds.rows import string_graph
+from reference.play import play
+from reference.recording import header_of, lines_of
 from reference.rounding import ROUNDINGS, UNIT_ROUNDOFF, largest, tolerance
 from reference.simulator import move
 from reference.stepping import run
@@ -34,7 +41,8 @@ from spec.rules.push import PUSH
 from spec.storeys import Drive, Interval, short_way
 from spec.transform import with_numbers
 
-RIGHT, LEFT = Direction.RIGHT, Direction.LEFT
+RIGHT = Direction.RIGHT
+DOCS = Path(__file__).parents[1] / "docs"
 FLOATS = {"float64": float, "float32": lambda number: np.float32(float(number))}
 
 
@@ -150,7 +158,7 @@ def test_a_rider_that_slowly_leaves_a_fast_carrier_is_off_by_many_roundings_and_
 
 def test_random_steps_in_floats_are_within_the_spread():
     compared = 0
-    for seed in range(150):
+    for seed in range(100):
         made, rng = outing(seed, 6, 3), random.Random(seed)
         if not made.places:
             continue
@@ -168,7 +176,7 @@ def test_random_steps_in_floats_are_within_the_spread():
         )
         assert off(exact, world) <= spread(moments) * largest_of * UNIT_ROUNDOFF["float64"], seed
         compared += 1
-    assert compared > 100
+    assert compared > 60
 
 
 def test_the_same_sum_is_rounded_alike_and_nothing_added_is_not_rounded():
@@ -229,6 +237,18 @@ def test_long_rows_in_floats_are_within_the_tolerance(numbers, bodies, edges, di
             assert abs(expected.world.coordinate(a) - along) <= most
 
 
+def test_the_pages_say_how_many_roundings_there_are():
+    formats, proofs = (" ".join((DOCS / name).read_text().split()) for name in ("formats.md", "proofs.md"))
+    level = Level(string_graph([Fraction(100)], None), Fraction(1), Fraction(1), ())
+    one, many = (float(tolerance("float64", level, walks=walks)) for walks in (2, 200))
+    assert f"it makes {one:.0e} for one body on one edge, with its two borders, and {many:.0e} for a hundred" in formats
+    within = f"{rounding.OF_A_SEGMENT} roundings on a line, {rounding.OF_A_SEGMENT_ON_A_RING} on a ring"
+    assert f"`segment_is_nearly_exact`: each clause of `segment-exact` holds to within {within}" in proofs
+    assert f"the margin less {rounding.OF_A_MARGIN} roundings; or" in proofs
+    assert f"is the room to within {OF_A_ROOM} roundings" in proofs
+    assert f"as it should to within {OF_A_STRETCH}; and the room is used up to within {OF_A_MEETING}" in proofs
+
+
 def test_an_unlucky_row_conforms_with_the_tolerance_of_its_walks_and_not_with_that_of_one():
     level, distance = floats.unlucky_row(60)
     world = World(with_numbers(level, float, float))
@@ -239,3 +259,45 @@ def test_an_unlucky_row_conforms_with_the_tolerance_of_its_walks_and_not_with_th
     enough = tolerance("float64", level, distance, walks=floats.walks(record))
     assert judge(THESIS, World(level), asked, seen, enough).finding is Finding.AGREES
     assert judge(THESIS, World(level), asked, seen, tolerance("float64", level, distance)).finding is not Finding.AGREES
+
+
+def report_on(path, scenario):
+    """What is found of the trace of a scenario that was played in floats."""
+    path.write_text(json.dumps(scenario))
+    playing = play(path, True)
+    records = [header_of(playing, True), *lines_of(playing)]
+    path.write_bytes(b"\n".join(msgspec.json.encode(record) for record in records) + b"\n")
+    return validate(path)
+
+
+def body(name, left, right, **more):
+    """A body of a scenario, on edge 0 or on a top."""
+    on = {"top": more.pop("top")} if "top" in more else {"edge": 0}
+    return {"name": name, "left": {**on, "location": left}, "right": {**on, "location": right}, **more}
+
+
+def an_unlucky_push():
+    level, distance = floats.unlucky_row(60)
+    borders = [(float(one.left.location), float(one.right.location)) for one in level.bodies]
+    held = [body(str(i), left, right) for i, (left, right) in enumerate(borders)]
+    vertices = [[0, 0], [float(level.graph.edges[0].length), 0]]
+    return level.margin, vertices, held, "thesis", {"request": {"body": "0", "distance": float(distance)}}
+
+
+def a_slow_leave():
+    held = [body("C", 3.25, 4.5, speed=1), body("R", -1.1, 0.01, top="C")]
+    step = {"drive": {"speeds": {"C": 14.7, "R": -0.01}, "time": 3}}
+    return Fraction(1, 64), [[0, 0], [64, 0]], held, "repaired", step
+
+
+@pytest.mark.parametrize("made", [an_unlucky_push, a_slow_leave])
+def test_what_the_reference_does_in_floats_conforms_where_a_fixed_tolerance_would_say_it_does_not(
+    made, tmp_path, monkeypatch
+):
+    margin, vertices, held, profile, step = made()
+    level = {"format": "graphbody/level@1", "name": "l", "margin": str(margin), "vertices": vertices, "bodies": held}
+    scenario = {"format": "graphbody/scenario@1", "name": "s", "profile": profile, "level": level, "steps": [step]}
+    assert report_on(tmp_path / "s.json", scenario).conforms
+    for referee in (OfRequests, OfSteps):
+        monkeypatch.setattr(referee, "walks", lambda self, step: 1)
+    assert not report_on(tmp_path / "s.json", scenario).conforms

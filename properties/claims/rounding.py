@@ -76,8 +76,7 @@ def of_event(setting: Setting, *speeds: Fraction | int) -> Obligation:
 
 EVENTS = tuple(
     of_event(setting, *speeds)
-    for settings, known in (((PAIR, RIDER), OF_TWO), ((WALL, LEDGE), OF_ONE))
-    for setting in settings
+    for setting, known in ((PAIR, OF_TWO), (RIDER, OF_TWO[1:]), (WALL, OF_ONE), (LEDGE, OF_ONE))
     for speeds in known
 )
 

@@ -14,7 +14,7 @@ from spec.graph import Direction
 from spec.profiles import Profile
 from spec.transform import in_floats
 
-LENGTHS = (40, 80, 160)
+LENGTHS = (40, 80)
 ROUND_DOWN = Fraction(49, 100)
 """What of a last binary place is rounded down."""
 
