@@ -27,6 +27,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -40,6 +41,9 @@ from spec.rules.step import StepRules
 from spec.storeys import Drive, Interval
 
 Array = NDArray[Any]
+
+MANY_ROWS = 100
+"""As many rows are swept place by place; fewer are swept in one operation, which takes longer for each body."""
 
 
 @dataclass(frozen=True)
@@ -111,12 +115,16 @@ class Storey:
 
     Attributes:
         bodies: where they are in the arrays.
-        pairs: of these, those at one place in their rows that have a body after them, and those bodies.
+        runs: of these, those at places that as many rows have, one place after another, and how many rows that is.
+        first: how many are first in their rows.
+        behind: of all others the ones before them in their rows.
         riders: those that stand on others.
     """
 
     bodies: slice
-    pairs: tuple[tuple[slice, slice], ...]
+    runs: tuple[tuple[slice, int], ...]
+    first: int
+    behind: Array
     riders: Array
 
 
@@ -175,12 +183,18 @@ def storeys_of(storey: Array, place: Array, rides: Array) -> Iterator[Storey]:
     """The storeys of bodies that are in order."""
     for one in np.unique(storey):
         start, end = np.searchsorted(storey, [one, one + 1])
-        starts = np.searchsorted(place[start:end], np.arange(place[end - 1] + 2))
-        pairs = [
-            (slice(behind, behind + beyond - ahead), slice(ahead, beyond))
-            for behind, ahead, beyond in zip(starts, starts[1:], starts[2:], strict=False)
-        ]
-        yield Storey(slice(start, end), tuple(pairs), start + np.flatnonzero(rides[start:end]))
+        yield storey_of(start, place[start:end], start + np.flatnonzero(rides[start:end]))
+
+
+def storey_of(start: int, place: Array, riders: Array) -> Storey:
+    """A storey whose bodies begin at one of all, at their places in rows."""
+    rows = np.bincount(place)
+    starts = np.cumsum(rows) - rows
+    new = [0, *(1 + np.flatnonzero(np.diff(rows))).tolist(), len(rows)]
+    ends = [*starts.tolist(), len(place)]
+    runs = tuple((slice(ends[one], ends[other]), int(rows[one])) for one, other in pairwise(new))
+    behind = np.arange(rows[0], len(place)) - rows[place[rows[0] :] - 1]
+    return Storey(slice(start, start + len(place)), runs, int(rows[0]), behind, riders)
 
 
 @dataclass(frozen=True)
@@ -272,9 +286,9 @@ def sweep(layout: Layout, storey: Storey, left: Array, wish: Array, found: Ways)
 def rooms(layout: Layout, storey: Storey, left: Array) -> Array:
     """The room that there is in all before each body of a storey in its row, from the left."""
     size, at = (layout.width + layout.margin)[storey.bodies], left[storey.bodies]
-    found = np.zeros_like(at)
-    for one, other in storey.pairs:
-        found[other] = found[one] + np.maximum(at[other] - (at[one] + size[one]), 0)
+    found, behind, ahead = np.zeros_like(at), storey.behind, slice(storey.first, None)
+    found[ahead] = np.maximum(at[ahead] - (at[behind] + size[behind]), 0)
+    accumulate(np.add, found, storey, Direction.RIGHT)
     return found
 
 
@@ -288,9 +302,17 @@ def to_walls(layout: Layout, left: Array, those: slice, direction: Direction) ->
 
 def accumulate(operation: np.ufunc, values: Array, storey: Storey, direction: Direction) -> None:
     """Replace each value along the rows of a storey by that of it and of those before it in a direction."""
-    for behind, ahead in storey.pairs[::direction]:
-        one, other = (behind, ahead) if direction is Direction.RIGHT else (ahead, behind)
-        operation(values[one], values[other], out=values[other])
+    before = values[:0]
+    for bodies, rows in storey.runs[::direction]:
+        places = values[bodies].reshape(-1, rows)[::direction]
+        both = min(rows, len(before))
+        operation(before[:both], places[0, :both], out=places[0, :both])
+        if rows < MANY_ROWS:
+            operation.accumulate(places, axis=0, out=places)
+        else:
+            for one, other in pairwise(places):
+                operation(one, other, out=other)
+        before = places[-1]
 
 
 def lost(layout: Layout, left: Array, found: Ways, holding_on: Array, slack: Any) -> Array:

@@ -307,8 +307,8 @@ class Look:
         for storey in layout.storeys:
             those = storey.bodies
             at, size = left[those], (width + layout.margin)[those]
-            for one, other in storey.pairs:
-                found[those][other] |= at[other] - (at[one] + size[one]) < nearest
+            behind, ahead = storey.behind, slice(storey.first, None)
+            found[those][ahead] |= at[ahead] - (at[behind] + size[behind]) < nearest
         return found
 
     def tells(self, line: Line | None, wish: Wish, far: Array, model: Model) -> bool:
