@@ -14,7 +14,7 @@ from properties.given import Given
 from properties.worlds.storeys import Setting, any_world
 from spec.graph import Direction
 from spec.rules.settle import footing_of
-from spec.rules.step import StepRules, go_on, lasting, present, settled, touching
+from spec.rules.step import StepRules, go_on, lasting, settled, touching
 from spec.storeys import AtWall, Contact, Seat
 
 TOPS = (1, 2)
@@ -61,10 +61,10 @@ def neighbours_stay_in_contact(rules: StepRules, given: Given) -> None:
 
 
 def what_touches_is_recorded_when_settled(rules: StepRules, given: Given, setting: Setting) -> None:
-    """When bodies have settled, all that touches is recorded, and of what was recorded all that is so."""
+    """When bodies have settled, all that touches is recorded, and what was lost."""
     world, lost = any_world(given, setting), Seat(0, 1, None)
     recorded = settled(world, any_marks(given, world) | {lost})
-    given.ensure("what touches is recorded, and what was lost", recorded == touching(world) | {lost})
+    given.ensure("what touches is recorded, and what was lost", touching(world) | {lost} <= recorded)
 
 
 def what_was_lost_is_not_looked_at(rules: StepRules, given: Given) -> None:

@@ -332,15 +332,6 @@ def repeated(name: str, breaks: str, times: int, one: Stretch[Fraction]) -> Inve
     return made(name, breaks, *[one] * times)
 
 
-def driven(world: StoreyWorld[Fraction]) -> Stretch[Fraction]:
-    """A stretch of no length in which the first body is driven."""
-    still, others = [0] * len(world.places), len(world.places) - 1
-    return stretch(world, still, [walks(1), *[BOX] * others], lasted=0)
-
-
-ROW = tuple(at(2 * place, 2 * place + 1) for place in range(9))
-ONE_TOO_MANY = "instants instants-of-one"
-
 INSTANTS: tuple[Invented, ...] = (
     repeated("as many instants as one body has", "", 4, resting(line(A))),
     repeated("an instant too many of one body", "instants", 5, resting(line(A))),
@@ -357,23 +348,8 @@ INSTANTS: tuple[Invented, ...] = (
     repeated("an instant too many in two rounds", "instants", 9, stretch(ring(A), [Fraction(20, 9)])),
     repeated("as many instants as two rounds to the left have", "", 8, stretch(ring(A), [HALF * -5])),
     repeated("an instant too many in rounds of no time", "instants", 5, stretch(ring(A), [HALF * 5], lasted=0)),
-    repeated("an instant too many of eight bodies", "instants", 82, resting(line(*ROW[:8]))),
-    repeated("of nine bodies nothing is said", "", 101, resting(line(*ROW))),
-    repeated("as many instants as one that is driven has", "instants", 8, driven(line(A))),
-    repeated("an instant too many of one that is driven", ONE_TOO_MANY, 9, driven(line(A))),
-    repeated("as many as one has beside a piece", "instants", 12, driven(line(A, solid=[[(3, 4)]]))),
-    repeated("an instant too many beside a piece", ONE_TOO_MANY, 13, driven(line(A, solid=[[(3, 4)]]))),
-    repeated("an instant too many of one below a piece", ONE_TOO_MANY, 9, driven(line(A, solid=[(), [(3, 4)]]))),
-    repeated("as many as one that may fall has", "instants", 24, driven(line(at(4, 6, 1), solid=[HIGH]))),
-    repeated("an instant too many of one that may fall", ONE_TOO_MANY, 25, driven(line(at(4, 6, 1), solid=[HIGH]))),
-    repeated("as many as one has that may push another", "instants", 45, driven(line(A, B))),
-    repeated("an instant too many of one that may push another", ONE_TOO_MANY, 46, driven(line(A, B))),
-    repeated("of two that are driven only little is said", "instants", 46, stretch(line(A, B), [1, 1], lasted=0)),
-    repeated("of one that may not push only little is said", "instants", 46, driven(line(NO_PUSH, B))),
-    repeated("as many as one that is driven has on a ring", "instants", 8, driven(ring(A))),
-    repeated("as many as one has in two rounds", "instants", 16, stretch(ring(A), [Fraction(20, 16)])),
-    repeated("an instant too many of one in two rounds", ONE_TOO_MANY, 17, stretch(ring(A), [Fraction(20, 17)])),
-    repeated("as many as one has in two rounds to the left", "instants", 16, stretch(ring(A), [Fraction(-20, 16)])),
+    repeated("as many instants as three bodies have", "", 16, resting(line(A, B, at(6, 8)))),
+    repeated("an instant too many of three bodies", "instants", 17, resting(line(A, B, at(6, 8)))),
 )
 
 
