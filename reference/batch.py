@@ -12,11 +12,11 @@ not move. Then every velocity is 0 or that speed. A body has come as far as it w
 farther than both only if it is pushed first, and is then carried on by its own support while what has pushed it stands.
 In a row in which no support moves this cannot be: who moves of its own does so to the end, or to a wall that all stop
 at who are in contact behind. Nor can it be where supports that move, once they do, move to the end. Nor where they are
-all of one row: of two of these, with anything that the one behind carries in contact with what the other one carries,
-the one ahead moves only while the one behind does, once that has begun; for if the one behind stops, it stands behind
-a wall, or what carries it does, and so does all in contact ahead of it. What they carry moves so too, and the next
-storey has what this one has. Else, a wall between two supports may stop one before the other begins, with a row above
-that reaches over the wall; so it does not fit, and events decide.
+all of one row and nobody on them is driven: of two of these, with anything that the one behind carries in contact with
+what the other one carries, the one ahead moves only while the one behind does, once that has begun; for if the one
+behind stops, it stands behind a wall, or what carries it does, and so does all in contact ahead of it. What they carry
+moves so too, and the next storey has what this one has. Else, a wall between two supports may stop one before the other
+begins, with a row above that reaches over the wall; so it does not fit, and events decide.
 
 **Supports.** How far a body slides on its support grows while the body is not stopped, and lessens when it is. So the
 greatest way that it slides is where it ends if nothing stops it, and less than its own way else. If that is less than
@@ -27,6 +27,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -40,6 +41,9 @@ from spec.rules.step import StepRules
 from spec.storeys import Drive, Interval
 
 Array = NDArray[Any]
+
+MANY_ROWS = 100
+"""As many rows are swept place by place; fewer are swept in one operation, which takes longer for each body."""
 
 
 @dataclass(frozen=True)
@@ -111,12 +115,16 @@ class Storey:
 
     Attributes:
         bodies: where they are in the arrays.
-        pairs: of these, those at one place in their rows that have a body after them, and those bodies.
+        runs: of these, those at places that as many rows have, one place after another, and how many rows that is.
+        first: how many are first in their rows.
+        behind: of all others the ones before them in their rows.
         riders: those that stand on others.
     """
 
     bodies: slice
-    pairs: tuple[tuple[slice, slice], ...]
+    runs: tuple[tuple[slice, int], ...]
+    first: int
+    behind: Array
     riders: Array
 
 
@@ -175,12 +183,18 @@ def storeys_of(storey: Array, place: Array, rides: Array) -> Iterator[Storey]:
     """The storeys of bodies that are in order."""
     for one in np.unique(storey):
         start, end = np.searchsorted(storey, [one, one + 1])
-        starts = np.searchsorted(place[start:end], np.arange(place[end - 1] + 2))
-        pairs = [
-            (slice(behind, behind + beyond - ahead), slice(ahead, beyond))
-            for behind, ahead, beyond in zip(starts, starts[1:], starts[2:], strict=False)
-        ]
-        yield Storey(slice(start, end), tuple(pairs), start + np.flatnonzero(rides[start:end]))
+        yield storey_of(start, place[start:end], start + np.flatnonzero(rides[start:end]))
+
+
+def storey_of(start: int, place: Array, riders: Array) -> Storey:
+    """A storey whose bodies begin at one of all, at their places in rows."""
+    rows = np.bincount(place)
+    starts = np.cumsum(rows) - rows
+    new = [0, *(1 + np.flatnonzero(np.diff(rows))).tolist(), len(rows)]
+    ends = [*starts.tolist(), len(place)]
+    runs = tuple((slice(ends[one], ends[other]), int(rows[one])) for one, other in pairwise(new))
+    behind = np.arange(rows[0], len(place)) - rows[place[rows[0] :] - 1]
+    return Storey(slice(start, start + len(place)), runs, int(rows[0]), behind, riders)
 
 
 @dataclass(frozen=True)
@@ -272,9 +286,9 @@ def sweep(layout: Layout, storey: Storey, left: Array, wish: Array, found: Ways)
 def rooms(layout: Layout, storey: Storey, left: Array) -> Array:
     """The room that there is in all before each body of a storey in its row, from the left."""
     size, at = (layout.width + layout.margin)[storey.bodies], left[storey.bodies]
-    found = np.zeros_like(at)
-    for one, other in storey.pairs:
-        found[other] = found[one] + np.maximum(at[other] - (at[one] + size[one]), 0)
+    found, behind, ahead = np.zeros_like(at), storey.behind, slice(storey.first, None)
+    found[ahead] = np.maximum(at[ahead] - (at[behind] + size[behind]), 0)
+    accumulate(np.add, found, storey, Direction.RIGHT)
     return found
 
 
@@ -288,9 +302,17 @@ def to_walls(layout: Layout, left: Array, those: slice, direction: Direction) ->
 
 def accumulate(operation: np.ufunc, values: Array, storey: Storey, direction: Direction) -> None:
     """Replace each value along the rows of a storey by that of it and of those before it in a direction."""
-    for behind, ahead in storey.pairs[::direction]:
-        one, other = (behind, ahead) if direction is Direction.RIGHT else (ahead, behind)
-        operation(values[one], values[other], out=values[other])
+    before = values[:0]
+    for bodies, rows in storey.runs[::direction]:
+        places = values[bodies].reshape(-1, rows)[::direction]
+        both = min(rows, len(before))
+        operation(before[:both], places[0, :both], out=places[0, :both])
+        if rows < MANY_ROWS:
+            operation.accumulate(places, axis=0, out=places)
+        else:
+            for one, other in pairwise(places):
+                operation(one, other, out=other)
+        before = places[-1]
 
 
 def lost(layout: Layout, left: Array, found: Ways, holding_on: Array, slack: Any) -> Array:
@@ -304,23 +326,18 @@ def lost(layout: Layout, left: Array, found: Ways, holding_on: Array, slack: Any
     far, under = found.far[riders], found.far[on]
     ahead = np.where(found.stopped[riders] | ~holding_on[riders], far, far - under)
     behind = np.where(holding_on[riders], far - under, under * -1)
-    room = left[on] + (width[on] + layout.margin[riders]) - left[riders]
-    room_left = left[riders] + (width[riders] + layout.margin[riders]) - left[on]
-    result[riders] = reaches((ahead * 0, ahead, behind), room_left, room, slack)
-    far = found.far[fallers]
-    room, room_left = (
-        layout.edges[3, fallers] - left[fallers],
-        left[fallers] + width[fallers] - layout.edges[2, fallers],
-    )
-    result[fallers] = reaches((far * 0, far), room_left, room, slack)
+    to_right = left[on] + (width[on] + layout.margin[riders]) - left[riders]
+    to_left = left[riders] + (width[riders] + layout.margin[riders]) - left[on]
+    result[riders] = reaches((ahead * 0, ahead, behind), to_left, to_right, slack)
+    far, (begins, ends) = found.far[fallers], layout.edges[2:, fallers]
+    to_right, to_left = ends - left[fallers], left[fallers] + width[fallers] - begins
+    result[fallers] = reaches((far * 0, far), to_left, to_right, slack)
     return result
 
 
 def reaches(ways: Sequence[Array], to_left: Array, to_right: Array, slack: Any) -> Array:
     """Whether any of some ways comes as near as a slack to what there is on its side."""
-    found: Array = np.logical_or.reduce(
-        [(far + slack >= to_right) | (far * -1 + slack >= to_left) for far in ways],
-    )
+    found: Array = np.logical_or.reduce([(far + slack >= to_right) | (far * -1 + slack >= to_left) for far in ways])
     return found
 
 

@@ -15,9 +15,10 @@ from properties.evidence.courses import drive
 from properties.strategies.storeys import Outing, outing
 from properties.worlds.changes import backwards, floating, in_floats, mirrored
 from reference import batch as batches
-from reference.batch import Batch, Drives, drives_of
+from reference.batch import Batch, Drives, accumulate, drives_of, storey_of
 from reference.rounding import ROUNDINGS, UNIT_ROUNDOFF
 from reference.storeys import Place, StoreyWorld, Terrain
+from spec.graph import Direction
 from spec.profiles import REPAIRED
 from spec.storeys import Drive, Interval
 
@@ -204,3 +205,19 @@ def test_a_wrong_batch_is_refuted(monkeypatch):
     outcome = explore(lambda given: judged(pushes.program, REPAIRED, given))
     assert outcome.counterexample is not None
     assert "they are so far on" in outcome.counterexample.broken
+
+
+@pytest.mark.parametrize("lengths", [[1], [5], [4, 4, 2, 1, 1], [3] * 150, [3] * 150 + [2] * 40 + [1]], ids=len)
+@pytest.mark.parametrize("direction", Direction)
+def test_rows_of_any_lengths_are_swept_from_end_to_end(lengths, direction):
+    place = np.array([at for at in range(lengths[0]) for length in lengths if length > at])
+    row = np.array([one for at in range(lengths[0]) for one, length in enumerate(lengths) if length > at])
+    storey = storey_of(0, place, np.array([], int))
+    assert [row[before] for before in storey.behind] == row[storey.first :].tolist()
+    assert [place[before] + 1 for before in storey.behind] == place[storey.first :].tolist()
+    values = np.random.default_rng(17).permutation(len(place)).astype(float)
+    expected = values.copy()
+    for one in range(len(lengths)):
+        expected[row == one] = np.maximum.accumulate(values[row == one][::direction])[::direction]
+    accumulate(np.maximum, values, storey, direction)
+    assert values.tolist() == expected.tolist()

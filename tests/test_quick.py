@@ -1,17 +1,18 @@
 """The quick look at logs of steps: it changes no account, whatever is wrong with a log, and settles many lines."""
 
 import json
+import time
 from collections import Counter
 from dataclasses import replace
 from random import Random
 
 import msgspec
+import numpy as np
 import pytest
 
 from properties.comparison.levels import any_level
-from properties.conformance import validate as validation
+from properties.conformance import quick, validate as validation
 from properties.conformance.account import json_line
-from properties.conformance.quick import look_of
 from properties.conformance.validate import validate
 from reference.formats.files import FormatError
 from reference.formats.level import level_record
@@ -46,12 +47,12 @@ def both(monkeypatch, tmp_path):
     counts, path = Counter(), tmp_path / "trace.jsonl"
 
     def counted(log, referee):
-        look = look_of(log, referee)
+        look = quick.look_of(log, referee)
         if look is not None:
             certain = look.certain
 
-            def counting(texts, number):
-                found = certain(texts, number)
+            def counting(*args):
+                found = certain(*args)
                 counts.update(lines=len(found) - 1, certain=int(found.sum()))
                 return found
 
@@ -174,3 +175,72 @@ def test_the_look_changes_no_account_of_a_random_game(games, both, tmp_path):
             with_look, without = both(log, random.choice((1, 3, 1024)))
             assert with_look == without, number
     assert both.counts["certain"] > 0.2 * both.counts["lines"]
+
+
+def test_where_the_margin_is_broken_for_good_lines_are_looked_at_again_once_that_is_said(both, tmp_path):
+    lines = trace_of(boxes_and_ticks(tmp_path, 1))[1][:120]
+    for place in range(90, len(lines)):
+        line = json.loads(lines[place])
+        for side in ("left", "right"):
+            line["bodies"][0][side]["location"] += 1e-6
+        lines[place] = json.dumps(line).encode()
+    with_look, without = both(lines)
+    assert with_look == without
+    assert json.loads(with_look)["broken"] == {"invariant/no-overlap": 91, "invariant/plane-margin": 91}
+    assert both.counts["certain"] > 0.9 * len(lines)
+
+
+WRONG = {
+    "tolerance": lambda *args, right=quick.tolerance: 100 * right(*args),
+    "furthest": lambda layout, left, drives, times, slack: (left * 0, np.ones(len(times), bool)),
+}
+
+
+@pytest.mark.parametrize("name", WRONG)
+def test_a_wrong_look_changes_accounts(name, both, monkeypatch, tmp_path):
+    lines = trace_of(boxes_and_ticks(tmp_path, 1))[1][:40]
+    line = json.loads(lines[20])
+    for side in ("left", "right"):
+        line["bodies"][0][side]["location"] += 1e-12
+    off, stands = json.dumps(line).encode(), lines[19]
+    log = [*lines[:20], off if name == "tolerance" else stands, *lines[21:]]
+    with_look, without = both(log)
+    assert with_look == without
+    monkeypatch.setattr(quick, name, WRONG[name])
+    with_look, without = both(log)
+    assert with_look != without
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("said", [True, False], ids=["all said", "bare"])
+def test_a_log_in_closed_form_is_validated_at_least_half_as_fast_as_its_text_is_parsed(said, tmp_path):
+    """Times of the processor, the best of some: a character pushes boxes right and left for 4,000 ticks."""
+    path = tmp_path / "trace.jsonl"
+    path.write_bytes(b"\n".join(trace_of(boxes_and_ticks(tmp_path, 16))[0 if said else 1]) + b"\n")
+    assert validate(path).conforms
+    assert quickest(lambda: validate(path)) <= 2 * quickest(lambda: [*map(json.loads, path.open())])
+
+
+def boxes_and_ticks(tmp_path, times):
+    """A character and four boxes on a line, and ticks with one key after the other, as a scenario."""
+    bodies = [
+        {"name": f"Body {i}", "left": {"edge": 0, "location": at}, "right": {"edge": 0, "location": at + 1}}
+        for i, at in enumerate((0.3, 2.1, 3.8, 5.5, 7.2))
+    ]
+    bodies[0]["speed"] = 2
+    level = {"format": "graphbody/level@1", "name": "boxes", "margin": "1/10", "tick": "1/60", "bodies": bodies}
+    steps = [{"tick": {"key": key, "times": 125}} for key in ("right", "left") * times]
+    scenario = {"format": "graphbody/scenario@1", "name": "boxes", "profile": "repaired", "steps": steps}
+    path = tmp_path / "boxes.json"
+    path.write_text(json.dumps({**scenario, "level": {**level, "vertices": [[0, 0], [40, 0]]}}))
+    return path
+
+
+def quickest(work, rounds=5):
+    """How many seconds of the processor something takes at least."""
+    found = []
+    for _ in range(rounds):
+        start = time.process_time()
+        work()
+        found.append(time.process_time() - start)
+    return min(found)

@@ -6,9 +6,9 @@ judge, which so says of every line what it says without this.
 - Everybody is then on what it was on, within the tolerance of where the closed form has it, apart and between walls.
 - What the line says of moves, supports and the goal is so, and nothing in it is unknown, missing or said otherwise.
 
-The look computes in numbers of 64 bits or more, the tolerance is made of roundings of 53. A place comes about in less
-than 2,000 operations with numbers below four times the largest of the level, for no more bodies than are looked at: one
-rounding of 53 bits is more than all their errors together.
+The look computes in numbers of 64 bits or more; the tolerance is made of roundings of 53. A place comes about in less
+than 500 operations, for as many bodies as are looked at: four for each body of its row and those it stands on, ten for
+each storey. Their numbers are below four times the largest of the level. So one rounding of 53 bits is more than all.
 """
 
 from __future__ import annotations
@@ -36,8 +36,11 @@ from reference.world import LevelError
 from spec.body import Level
 
 Extended = np.longdouble
-MANTISSA, MOST_BODIES, SMALLEST = 63, 24, 2.0**-200
-
+MANTISSA, MOST_BODIES = 63, 24
+SMALLEST, LARGEST = 2.0**-200, 2**53
+"""Between these, whole numbers of a log are floats, and sums of its numbers have few enough digits."""
+NEAR = 0.5
+"""Who is nearer to another than this part of the margin is not looked at."""
 
 KeyName = Literal["left", "right", "none"]
 KEYS: tuple[KeyName, ...] = ("left", "right", "none")
@@ -178,8 +181,12 @@ class Look:
     error: Any
     models: dict[bytes, Model | None] = field(default_factory=dict)
 
-    def certain(self, texts: Sequence[bytes], number: int) -> Array:
-        """For each of some lines whether it is beyond doubt; never so the first, which has a number in the file."""
+    def certain(self, texts: Sequence[bytes], number: int, close: bool) -> Array:
+        """For each of some lines whether it is beyond doubt; never so the first, which has a number in the file.
+
+        If `close`, bodies may be nearer to each other than the margin: that they are has been said.
+        """
+        nearest = self.margin * -NEAR if close else self.error - self.tolerance
         lines = [self.read(text, step) for step, text in enumerate(texts, start=number - 1)]
         states, result = self.states(lines), np.zeros(len(lines), bool)
         same = (states.seats[1:] == states.seats[:-1]).all(axis=1) & (states.seats[1:, 0] >= 0)
@@ -192,7 +199,7 @@ class Look:
                 self.models[seats] = self.model(texts[steps[0] - 1])
             model = self.models[seats]
             if model is not None:
-                far, fits = self.as_it_should(model, np.array(steps), [wishes[step] for step in steps], states)
+                far, fits = self.as_it_should(model, np.array(steps), [wishes[step] for step in steps], states, nearest)
                 for step, moved, fit in zip(steps, far, fits.tolist(), strict=True):
                     result[step] = fit and self.tells(lines[step], wishes[step], moved, model)
         return result
@@ -256,7 +263,9 @@ class Look:
         width = np.array([extended(place.width) for place in storeys.places])
         return Model(Standing(found.kinds, edges), width, supports_of(world.level.bodies, world.level))
 
-    def as_it_should(self, model: Model, steps: Array, wishes: Sequence[Wish], states: States) -> tuple[Array, Array]:
+    def as_it_should(
+        self, model: Model, steps: Array, wishes: Sequence[Wish], states: States, nearest: Any
+    ) -> tuple[Array, Array]:
         """How far bodies come in each of some steps in which they stand so, and whether these are beyond doubt."""
         many, bodies = len(steps), len(self.names)
         speeds, times = np.zeros((many, bodies), Extended), np.array([time for time, _ in wishes], Extended)
@@ -275,8 +284,8 @@ class Look:
         off = np.abs(after[order] - (before[order] + far)) + np.abs(now - width)[order]
         wrong = off > self.tolerance - self.error
         wrong |= np.abs(width - np.tile(model.width, many))[order] > self.tolerance
-        for left, size in ((before[order], width[order]), (after[order], now[order])):
-            wrong |= self.misplaced(layout, left, size)
+        wrong |= self.misplaced(layout, before[order], width[order], self.margin * -NEAR)
+        wrong |= self.misplaced(layout, after[order], now[order], nearest)
         fits[layout.level[wrong]] = False
         ways = np.zeros_like(far)
         ways[order] = far
@@ -291,15 +300,15 @@ class Look:
                 left[:, body] += left[:, support[body]]
         return left.ravel()
 
-    def misplaced(self, layout: Layout, left: Array, width: Array) -> Array:
-        """Who is beyond a wall, by half of what may be off, or nearer to the one before it than may be."""
+    def misplaced(self, layout: Layout, left: Array, width: Array, nearest: Any) -> Array:
+        """Who is beyond a wall, by half of what may be off, or has less room than the least to the one before it."""
         walls = layout.edges[0] - left, left + width - layout.edges[1]
         found: Array = np.maximum(*walls) > self.tolerance / 2 - self.error
         for storey in layout.storeys:
             those = storey.bodies
             at, size = left[those], (width + layout.margin)[those]
-            for one, other in storey.pairs:
-                found[those][other] |= at[other] - (at[one] + size[one]) < self.error - self.tolerance
+            behind, ahead = storey.behind, slice(storey.first, None)
+            found[those][ahead] |= at[ahead] - (at[behind] + size[behind]) < nearest
         return found
 
     def tells(self, line: Line | None, wish: Wish, far: Array, model: Model) -> bool:
@@ -335,8 +344,8 @@ def asked_of(line: Line) -> tuple[Any, dict[str, Any]]:
 
 
 def number(value: float | str) -> Any:
-    """A number of a line."""
-    return value if isinstance(value, float) else extended(exact(value, "$"))
+    """A number of a line, with at least 64 bits."""
+    return Extended(value) if isinstance(value, float) else extended(exact(value, "$"))
 
 
 def is_between(world: StoreyWorld[Fraction], place: Place[Fraction], by: Fraction) -> bool:
@@ -362,7 +371,7 @@ def look_of(log: Recording, referee: OfSteps) -> Look | None:
     off, most = tolerance(header.numbers, level), largest(level)
     error = UNIT_ROUNDOFF["float64"] * most
     fast = any(body.speed * level.tick > most for body in level.bodies)
-    if fast or off < 8 * error or not is_plain(plan.start()):
+    if fast or most >= LARGEST or off < 8 * error or not is_plain(plan.start()):
         return None
     statics = len(level.graph.edges)
     ground = {edge: string for string, one in enumerate(plan.strings) for edge in one.row.edges}
