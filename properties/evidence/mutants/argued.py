@@ -8,6 +8,7 @@ from __future__ import annotations
 
 CHANGES_NO_ANSWER = "changes no answer"
 
+SCALED = "of one sign with its inverse; a comparison may be multiplied by what is greater than 0"
 ARGUED = {
     "explore.solver_for_reals: drop solver.set('random_seed', seed)": "the seed decides the work, and no answer",
     "explore.work_so_far: drop solver.check()": "what is counted is that of all solvers so far",
@@ -16,10 +17,10 @@ ARGUED = {
     "simplest.smallest: total < z3.Q(middle.numerator, middle.denominator, solver.ctx) instead of total <= "
     "z3.Q(middle.numerator, middle.denominator, solver.ctx)": "it is about as small as can be, by one halving less",
     "reals.Symbolic.plus: sign >= 0 instead of sign > 0": "a sign is 1 or -1",
-    "reals.Symbolic.compare: 1 * parts[0][1] instead of 1 / parts[0][1]": (
-        "of one sign with its inverse; a comparison may be multiplied by what is greater than 0"
-    ),
-    "reals.Symbolic.compare: scale <= 0 instead of scale < 0": "a scale is not 0",
+    "reals.Symbolic.compare: 1 * Fraction(first) instead of 1 / Fraction(first)": SCALED,
+    "reals.Symbolic.compare: first <= -1 instead of first == -1": SCALED,
+    "reals.Symbolic.compare: first >= -1 instead of first == -1": SCALED,
+    "reals.Symbolic.compare: first <= 0 instead of first < 0": "a factor is not 0",
     "storeys.StoreyWorld.to_ledge: reach > round_ instead of reach >= round_": (
         "who is on ground all round sees it on for more than once round; else it ends before once round"
     ),
