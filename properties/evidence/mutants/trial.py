@@ -83,13 +83,16 @@ class Facts:
 
 @contextlib.contextmanager
 def ended(seconds: int = SECONDS) -> Iterator[None]:
-    """Stop what does not end, after some seconds of the processor; what is stopped counts as nothing."""
+    """Stop what does not end, after some seconds of the processor; what is stopped counts as nothing.
+
+    Each second it is stopped again: an exception in what tidies up is ignored.
+    """
 
     def stop(number: int, frame: FrameType | None) -> None:
         raise DoesNotEnd
 
     before = signal.signal(signal.SIGVTALRM, stop)
-    signal.setitimer(signal.ITIMER_VIRTUAL, seconds)
+    signal.setitimer(signal.ITIMER_VIRTUAL, seconds, 1)
     try:
         yield
     finally:
