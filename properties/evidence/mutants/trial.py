@@ -32,7 +32,7 @@ from spec.rule import GuardError
 SAME = "the same, proved wherever"
 CRASHING = "makes its evidence crash"
 EXAMPLES, ROWS = 100, "rows: random"
-MANY = ("images/", "cuts/", "rounding/")
+MANY = ("images/", "cuts/", "parting/", "rounding/")
 """Chapters of many obligations, each on many settings, on which to try all mutants would take hours."""
 LONG = frozenset({"differences-have-causes"})
 KEPT = "what the witness broke is kept"
