@@ -87,6 +87,9 @@ BY_HAND: dict[str, tuple[str, ...]] = {
     "bool(world.grounded(body))": ("False",),
     "Seat(body, storey, top) not in lost": ("True",),
     "turn.own": ("turn.own + turn.passed",),
+    "greater(member.wish * direction, zero_like(passed))": (
+        "greater(member.wish * direction, member.wish * direction * -1)",
+    ),
     "footing.tops[-1]": ("footing.tops[0]",),
     "footing.tops[0]": ("footing.tops[-1]",),
     "urge.drive.relative": ("urge.drive.relative and urge.carried >= urge.carried * 0",),

@@ -210,13 +210,16 @@ def kills_by_runs(witnesses: Mapping[str, Texts]) -> Iterator[Kill]:
 
 
 def taken_over(known: Known, group: str, name: str) -> Found | None:
-    """What was recorded of a mutant, if all that caught it still does, with what new obligations catch; or that it only
-    crashed.
+    """What was recorded of a mutant, if all that caught it still does, or if it only crashed; and what new obligations
+    catch.
     """
     kills, aside = known.recorded.kills.get(group, {}).get(name, ()), known.recorded.equal.get(name, "")
+    if aside.startswith(CRASHING):
+        found = tuple(kills_by_new_proofs(known, group, name))
+        return Found(found, None if found else aside)
     if kills and not complaints(known.premises, group, name, kills):
         return Found((*kills, *kills_by_new_proofs(known, group, name)))
-    return Found((), aside) if aside.startswith(CRASHING) else None
+    return None
 
 
 def kills_by_new_proofs(known: Known, group: str, name: str) -> Iterator[Kill]:
