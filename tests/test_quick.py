@@ -1,7 +1,6 @@
 """The quick look at logs of steps: it changes no account, whatever is wrong with a log, and settles many lines."""
 
 import json
-import time
 from collections import Counter
 from dataclasses import replace
 from random import Random
@@ -9,6 +8,7 @@ from random import Random
 import msgspec
 import numpy as np
 import pytest
+from benchmarks.logs import boxes_and_ticks, traces_of
 
 from properties.comparison.levels import any_level
 from properties.conformance import quick, validate as validation
@@ -17,20 +17,10 @@ from properties.conformance.validate import validate
 from reference.formats.files import FormatError
 from reference.formats.level import level_record
 from reference.formats.scenario import DriveRecord, RequestRecord, ScenarioRecord, StepRecord, TickRecord
-from reference.play import library, play
-from reference.recording import header_of, lines_of
+from reference.play import library
 
-ASIDE = dict.fromkeys(("step", "moves", "events", "supports", "pressed", "solved"))
 SLIPS = (1e-17, 1e-16, 3e-16, 1e-15, 2e-15, 4e-15, 8e-15, 2e-14, 1e-12, 1e-6, 0.1, 1.0)
 OF_REPAIRED = [path for path in library() if json.loads(path.read_bytes()).get("profile") == "repaired"]
-
-
-def trace_of(scenario):
-    """The trace of a scenario in floats, as its lines, and without what a foreign program may leave out."""
-    playing = play(scenario, floats=True)
-    header, *lines = header_of(playing, floats=True), *lines_of(playing)
-    bare = [msgspec.structs.replace(line, **ASIDE) for line in lines]
-    return [[msgspec.json.encode(record) for record in (header, *some)] for some in (lines, bare)]
 
 
 def account(path):
@@ -132,7 +122,7 @@ def faulty(random, lines):
 
 @pytest.mark.parametrize("path", OF_REPAIRED, ids=lambda path: path.stem)
 def test_the_look_changes_no_account_of_a_trace_of_the_library(path, both):
-    for log in trace_of(path):
+    for log in traces_of(path):
         with_look, without = both(log, 2)
         assert with_look == without
 
@@ -141,7 +131,7 @@ def test_the_look_changes_no_account_of_a_trace_of_the_library(path, both):
 @pytest.mark.parametrize("path", OF_REPAIRED, ids=lambda path: path.stem)
 def test_the_look_changes_no_account_of_a_faulty_trace_of_the_library(path, both):
     random = Random(path.stem)
-    for lines in trace_of(path):
+    for lines in traces_of(path):
         for _ in range(3):
             with_look, without = both(faulty(random, lines), random.choice((1, 2, 1024)))
             assert with_look == without
@@ -170,7 +160,7 @@ def game(random, tmp_path):
 def test_the_look_changes_no_account_of_a_random_game(games, both, tmp_path):
     for number in range(games):
         random = Random(number)
-        lines = random.choice(trace_of(game(random, tmp_path)))
+        lines = random.choice(traces_of(game(random, tmp_path)))
         for log in (lines, faulty(random, lines), faulty(random, lines)):
             with_look, without = both(log, random.choice((1, 3, 1024)))
             assert with_look == without, number
@@ -178,7 +168,7 @@ def test_the_look_changes_no_account_of_a_random_game(games, both, tmp_path):
 
 
 def test_where_the_margin_is_broken_for_good_lines_are_looked_at_again_once_that_is_said(both, tmp_path):
-    lines = trace_of(boxes_and_ticks(tmp_path, 1))[1][:120]
+    lines = traces_of(boxes_and_ticks(tmp_path, 1))[1][:120]
     for place in range(90, len(lines)):
         line = json.loads(lines[place])
         for side in ("left", "right"):
@@ -198,7 +188,7 @@ WRONG = {
 
 @pytest.mark.parametrize("name", WRONG)
 def test_a_wrong_look_changes_accounts(name, both, monkeypatch, tmp_path):
-    lines = trace_of(boxes_and_ticks(tmp_path, 1))[1][:40]
+    lines = traces_of(boxes_and_ticks(tmp_path, 1))[1][:40]
     line = json.loads(lines[20])
     for side in ("left", "right"):
         line["bodies"][0][side]["location"] += 1e-12
@@ -209,38 +199,3 @@ def test_a_wrong_look_changes_accounts(name, both, monkeypatch, tmp_path):
     monkeypatch.setattr(quick, name, WRONG[name])
     with_look, without = both(log)
     assert with_look != without
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("said", [True, False], ids=["all said", "bare"])
-def test_a_log_in_closed_form_is_validated_at_least_half_as_fast_as_its_text_is_parsed(said, tmp_path):
-    """Times of the processor, the best of some: a character pushes boxes right and left for 4,000 ticks."""
-    path = tmp_path / "trace.jsonl"
-    path.write_bytes(b"\n".join(trace_of(boxes_and_ticks(tmp_path, 16))[0 if said else 1]) + b"\n")
-    assert validate(path).conforms
-    assert quickest(lambda: validate(path)) <= 2 * quickest(lambda: [*map(json.loads, path.open())])
-
-
-def boxes_and_ticks(tmp_path, times):
-    """A character and four boxes on a line, and ticks with one key after the other, as a scenario."""
-    bodies = [
-        {"name": f"Body {i}", "left": {"edge": 0, "location": at}, "right": {"edge": 0, "location": at + 1}}
-        for i, at in enumerate((0.3, 2.1, 3.8, 5.5, 7.2))
-    ]
-    bodies[0]["speed"] = 2
-    level = {"format": "graphbody/level@1", "name": "boxes", "margin": "1/10", "tick": "1/60", "bodies": bodies}
-    steps = [{"tick": {"key": key, "times": 125}} for key in ("right", "left") * times]
-    scenario = {"format": "graphbody/scenario@1", "name": "boxes", "profile": "repaired", "steps": steps}
-    path = tmp_path / "boxes.json"
-    path.write_text(json.dumps({**scenario, "level": {**level, "vertices": [[0, 0], [40, 0]]}}))
-    return path
-
-
-def quickest(work, rounds=5):
-    """How many seconds of the processor something takes at least."""
-    found = []
-    for _ in range(rounds):
-        start = time.process_time()
-        work()
-        found.append(time.process_time() - start)
-    return min(found)

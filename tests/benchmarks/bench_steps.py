@@ -1,9 +1,13 @@
 """What `make bench` times of steps: those of the rules beside those of Box2D, in seconds of the processor."""
 
+import json
+
 import pytest
 
+from benchmarks.logs import log_of
 from benchmarks.rigid import in_box2d
 from benchmarks.steps import IN_BATCH, SPEED, TICK, Pushed, at_once, by_events, of_random_levels
+from properties.conformance.validate import validate
 
 ROUNDS = 5
 WAYS = {
@@ -16,6 +20,11 @@ WAYS = {
 SCENES = [*(("row", bodies) for bodies in (1, 10, 100, 1000)), *(("stack", bodies) for bodies in (1, 10, 100))]
 STANDING_BY = (0, 100, 1_000, 10_000)
 LEVELS = 500
+TIMES = 16
+READ = {
+    "validate": validate,
+    "json": lambda path: [json.loads(line) for line in path.read_text().splitlines()],
+}
 
 
 def run(benchmark, prepared, **about):
@@ -46,3 +55,13 @@ def test_standing_by(benchmark, way, standing_by):
 def test_random_levels(benchmark):
     benchmark.group = "random levels"
     run(benchmark, of_random_levels(LEVELS))
+
+
+@pytest.mark.parametrize("way", READ)
+@pytest.mark.parametrize("bare", [False, True])
+def test_logs(benchmark, way, bare, tmp_path):
+    benchmark.group = "logs"
+    path, lines = log_of(tmp_path, TIMES, bare)
+    READ[way](path)
+    benchmark.pedantic(READ[way], args=(path,), rounds=ROUNDS)
+    benchmark.extra_info.update(way=way, bare=bare, steps=lines)
