@@ -285,7 +285,7 @@ def logs(measured: list[Measured]) -> Figures:
     text = (
         "Microseconds for each line of a log in floats, of 4,000 ticks in which a character pushes four boxes to the "
         f"right and to the left. The aim is ×{LOG_AIM} of the speed at which Python's json module parses its text: "
-        f"validation {reaches} it. A log whose steps have no closed form is judged line by line, which takes much longer."
+        f"validation {reaches} it. A log whose steps have no closed form is judged line by line, and takes much longer."
     )
     return Figures("Validation of a log in closed form", text, ("lines", "validate", "json", "times"), rows)
 
