@@ -141,6 +141,7 @@ def test_a_body_that_comes_is_shown_where_it_is():
             assert after[name].since is None
 
 
+@pytest.mark.slow
 def test_the_display_of_every_scenario_never_goes_below_its_state():
     for path in library():
         found = recording(path)

@@ -126,7 +126,11 @@ def test_every_premise_is_assumed_by_a_claim_or_by_the_map():
 @pytest.mark.slow
 def test_the_proofs_for_any_number_of_bodies_make_every_rule_fire_but_those_of_events(profile, but):
     obligations = {
-        o.id: o for claim in CLAIMS if claim.profile == profile for o in claim.obligations if o.bodies is None
+        o.id: o
+        for claim in CLAIMS
+        if claim.profile == profile and not claim.long
+        for o in claim.obligations
+        if o.bodies is None
     }
     fired = set()
     for obligation in obligations.values():

@@ -66,6 +66,7 @@ def test_the_second_puzzle_is_solved_by_riding_and_filling():
     assert playing.game.world.solved()
 
 
+@pytest.mark.slow
 def test_without_the_crate_no_keys_solve_the_second_puzzle():
     level = puzzle("ride-and-fill")
     assert fewest_keys(replace(level, bodies=level.bodies[:3])) is None

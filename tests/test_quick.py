@@ -156,7 +156,7 @@ def game(random, tmp_path):
     return path
 
 
-@pytest.mark.parametrize("games", [12, pytest.param(1500, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("games", [12, pytest.param(150, marks=pytest.mark.slow)])
 def test_the_look_changes_no_account_of_a_random_game(games, both, tmp_path):
     for number in range(games):
         random = Random(number)
