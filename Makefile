@@ -88,7 +88,7 @@ mutants: $(READY) ## show that wrong rules, contracts, invariants and engines ar
 	@$(BIN)/graphbody mutants --export $(BROKEN)
 
 .PHONY: mutants-record
-mutants-record: $(READY) ## find anew what catches each mutant, and write docs/mutants.md and docs/mutants.json
+mutants-record: $(READY) ## find anew what catches each mutant, and write docs/mutants.md and docs/mutants
 	@$(BIN)/graphbody mutants --record
 
 # What was exported stands for the sources it was made from. An export is made anew, never added to.

@@ -400,7 +400,7 @@ def mutants(
             print("graphbody: interrupted; what was found is kept, the next run goes on from there", file=sys.stderr)
             raise typer.Exit(130) from None
         write_record(found)
-        PAGE.write_text(page_of(found))
+        PAGE.write_text(page_of(read_record()))
     known = read_record()
     show_matrix(known, Console(width=None if sys.stdout.isatty() else 120))
     wrong = list(lost(known))

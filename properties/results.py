@@ -29,7 +29,7 @@ class Ledger(Record, frozen=True):
         float | None, says("the most by which the work on a proof differs between seeds, as a share, or null")
     ]
     mutants: Annotated[
-        int | None, says("how many mutants its evidence catches, by docs/mutants.json, or null if none are tried")
+        int | None, says("how many mutants its evidence catches, by docs/mutants, or null if none are tried")
     ]
     by_construction: Annotated[bool, says("whether what it alone rests on catches none, and counts for nothing")]
 

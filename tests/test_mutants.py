@@ -171,9 +171,9 @@ def test_a_record_is_read_as_it_was_written(tmp_path):
     record = Record(
         {"claim/a": ("b",)}, {"b": ("c >= 0",)}, {"rules": {"d": (Kill("b", ("e",), {"c": "1/2"}, "f"),)}}, {"g": "h"}
     )
-    write_record(record, tmp_path / "record.json")
-    assert read_record(tmp_path / "record.json") == record
-    assert read_record(tmp_path / "none.json") == Record({}, {})
+    write_record(record, tmp_path / "record")
+    assert read_record(tmp_path / "record") == record
+    assert read_record(tmp_path / "none") == Record({}, {})
 
 
 @pytest.mark.slow

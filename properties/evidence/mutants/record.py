@@ -1,4 +1,4 @@
-"""The record of what catches each mutant: a file of the project, so that no kill is lost unnoticed.
+"""The record of what catches each mutant: files of the project, so that no kill is lost unnoticed.
 
 It says, for each mutant, what catches it and at which exact values; for each claim, what it rests on; for each
 obligation, what it assumes. `make mutants` tries all of it again, on the sources as they are.
@@ -11,11 +11,12 @@ from collections import Counter
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
+from shutil import rmtree
 from typing import Any
 
 from properties.evidence.mutants.trial import Kill
 
-RECORD = Path("docs/mutants.json")
+RECORD = Path("docs/mutants")
 Kills = dict[str, tuple[Kill, ...]]
 
 
@@ -54,21 +55,23 @@ def plain(kill: Kill) -> dict[str, Any]:
     return {name: value for name, value in told.items() if value}
 
 
-def write_record(record: Record, path: Path = RECORD) -> None:
-    """Write a record."""
+def write_record(record: Record, directory: Path = RECORD) -> None:
+    """Write a record anew: a file for each group of mutants, and for all else."""
     parts: dict[str, Mapping[str, Any]] = {"claims": record.claims, "premises": record.premises}
     for group, table in record.kills.items():
         parts[group] = {name: [plain(kill) for kill in found] for name, found in table.items()}
     parts["equal"] = record.equal
-    lines = ",\n".join(f"{json.dumps(name)}: {as_lines(part)}" for name, part in parts.items())
-    path.write_text(f"{{\n{lines}\n}}\n")
+    rmtree(directory, ignore_errors=True)
+    directory.mkdir(parents=True)
+    for name, part in parts.items():
+        (directory / f"{name}.json").write_text(f"{as_lines(part)}\n")
 
 
-def read_record(path: Path = RECORD) -> Record:
+def read_record(directory: Path = RECORD) -> Record:
     """Read a record; nothing is recorded where there is none."""
-    if not path.exists():
+    if not directory.exists():
         return Record({}, {})
-    parts = json.loads(path.read_text())
+    parts = {path.stem: json.loads(path.read_text()) for path in sorted(directory.glob("*.json"))}
     claims, premises = (
         {name: tuple(said) for name, said in parts.pop(part).items()} for part in ("claims", "premises")
     )
