@@ -47,9 +47,6 @@ FLOORS_OF_VERDICTS = {
         step-progress step-squeezed step-one-key step-mirror step-split step-body-order step-riders
         one-display-rule-applies falls-are-smooth falls-arrive shown-upon-support turns-are-smooth centres-are-lawful
         no-falls-no-leaving no-collisions-no-pushing no-width-no-jumps
-        no-falls-no-leaving no-collisions-no-pushing no-width-no-jumps
-        step-margin step-terrain step-support step-seat step-order step-motion step-not-raised step-bystanders
-        step-progress step-squeezed step-one-key step-mirror step-split step-body-order step-riders
     """,
     BOUNDED: """
         step-nearly-exact
