@@ -1,11 +1,9 @@
 """What is proved of steps compared, for any number of bodies, is refuted for wrong rules, worlds and steps."""
 
-from collections.abc import Callable
 from dataclasses import replace
-from typing import NamedTuple
 
 import pytest
-from test_any_number import broken
+from test_any_number import Fault, broken
 from test_steps import with_effect
 
 from properties.claims.repaired import WINDOWS, of_window
@@ -18,16 +16,6 @@ from spec.rules.settle import Found
 from spec.storeys import Contact
 
 ALL = {obligation.id: obligation for obligation in (*MIRRORED, *RENAMED, *CUT, *BELOW)}
-
-
-class Fault(NamedTuple):
-    """A wrong effect of a rule, and the obligation that tells, with what it says."""
-
-    field: str
-    rule: str
-    effect: Callable
-    obligation: str
-    says: str
 
 
 def most_under_it(footing):
