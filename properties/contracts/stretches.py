@@ -155,26 +155,19 @@ def is_so(world: StoreyWorld[Any], mark: Mark) -> Any:
     return negated(every([is_held(world, mark.body, UNIT * 0)]))
 
 
-def any_lost(given: Given, world: StoreyWorld[Any], setting: Setting) -> set[Seat]:
-    """The seats of any of the bodies of a setting, which do not hold; those of all others do."""
-    lost = set()
-    for body in setting.drives:
-        holds = every([is_held(world, body, world.margin * 0)])
-        if given.flag(f"{body} has lost its support"):
-            lost.add(seat_of(world, body))
-            holds = negated(holds)
-        given.assume(holds, SOUND)
-    return lost
-
-
 def settling_keeps_apart(rules: StepRules, given: Given, setting: Setting) -> None:
     """When some have lost their supports, all find one that holds them, the right one; nobody comes up, into terrain,
     or nearer to another than the margin.
     """
     before = any_places(given, setting)
-    zero = before.margin * 0
+    zero, lost = before.margin * 0, set()
     given.assume(every([margins_kept(before, zero), outside_terrain(before, zero)]), APART)
-    lost = any_lost(given, before, setting)
+    for body in setting.drives:
+        holds = every([is_held(before, body, zero)])
+        if given.flag(f"{body} has lost its support"):
+            lost.add(seat_of(before, body))
+            holds = negated(holds)
+        given.assume(holds, SOUND)
     ways = {body: any_way(given, body) for body in setting.drives}
     recorded, world = any_contacts(given, before), before.copy()
     for body, changes in groupby(settle(rules.settle, world, ways, lost), lambda change: change.seat.body):
