@@ -27,7 +27,7 @@ from properties.engine.simplest import Drawn, simplest_values
 from properties.given import Exact, Given, Infeasible
 from spec.number import Truth
 
-CHECK_BUDGET = 4_000_000
+CHECK_BUDGET = 20_000_000
 MOST_PATHS = 4_000
 MOST_DRAWN = 100
 
