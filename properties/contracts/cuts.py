@@ -12,7 +12,16 @@ from dataclasses import replace
 from itertools import product
 from typing import Any
 
-from properties.contracts.stretches import CLOSED, FIRST, KNOWN_SPEEDS, ONCE, UNIT, any_way, nearings, shuts
+from properties.contracts.stretches import (
+    CLOSED,
+    FIRST,
+    KNOWN_SPEEDS,
+    UNIT,
+    any_way,
+    nearings,
+    shuts,
+    ways_round,
+)
 from properties.evidence.comparisons import alike
 from properties.given import Given
 from properties.worlds.storeys import Setting, any_world
@@ -31,13 +40,10 @@ BEFORE = "nothing comes before the cut"
 
 def any_ways(given: Given, setting: Setting, world: StoreyWorld[Any]) -> Ways:
     """Any ways of all up to a time at which nothing has come yet, when what touches is recorded."""
-    ways = {body: any_way(given, body) for body in setting.drives}
+    ways = ways_round(given, world, setting.drives)
     given.assume(every(shuts(mark, ways) for mark in touching(world)), CLOSED)
     for one in nearings(world, ways):
         given.assume(one.speed <= greater(one.room, one.room * 0), FIRST)
-    if world.circumference is not None:
-        for way in ways.values():
-            given.assume((way <= world.circumference) & (way * -1 <= world.circumference), ONCE)
     return ways
 
 
@@ -78,11 +84,10 @@ def who_is_held_has_room(rules: StepRules, given: Given, setting: Setting) -> No
 def two_ways_are_one(rules: StepRules, given: Given, setting: Setting) -> None:
     """Any way, and then another one in the same direction, lead where both do at once; and the same stays recorded."""
     world = any_world(given, setting)
-    way, share = any_way(given, 0), any_way(given, 1)
+    (both,), share = ways_round(given, world, [0]).values(), any_way(given, 1)
+    way = both - share
     given.assume(((way >= 0) & (share >= 0)) | ((way <= 0) & (share <= 0)), "it goes on in its direction")
-    if world.circumference is not None:
-        given.assume((way + share <= world.circumference) & ((way + share) * -1 <= world.circumference), ONCE)
-    other, both = world.copy(), way + share
+    other = world.copy()
     for held, by in ((world, way), (world, share), (other, both)):
         go_on(held, {0: by}, UNIT, set())
     given.ensure("it is at the same place", alike(world, other))

@@ -40,7 +40,7 @@ def any_coming(given: Given, wish: Any, name: str) -> Coming:
     reached, back, again, lets_go = (
         given.number(f"{what}, {name}") for what in ("what reaches it", "from ahead", "again", "speed ahead")
     )
-    given.assume((again <= reached) & (wish <= reached) & (wish * -1 <= back), AGAIN)
+    given.assume((again <= reached) & (wish <= reached), AGAIN)
     return Coming(reached, back, again, lets_go)
 
 

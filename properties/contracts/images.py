@@ -13,7 +13,7 @@ from itertools import combinations, product
 from typing import Any
 
 from properties.contracts.steps import any_member
-from properties.contracts.stretches import APART, KNOWN_SPEEDS, ONCE, SOUND, UNIT, any_way, nearings
+from properties.contracts.stretches import APART, KNOWN_SPEEDS, SOUND, UNIT, any_way, nearings, ways_round
 from properties.contracts.sweeps import BEYOND, reaching, rest
 from properties.evidence.comparisons import alike
 from properties.given import Given
@@ -154,10 +154,8 @@ def worlds_look_alike(rules: StepRules, given: Given, setting: Setting, view: Vi
 
 def ways_look_alike(rules: StepRules, given: Given, setting: Setting, view: View) -> None:
     """When bodies have gone any way, in another view they are at the same place."""
-    world, ways = any_world(given, setting), {body: any_way(given, body) for body in setting.drives}
-    if world.circumference is not None:
-        for way in ways.values():
-            given.assume((way <= world.circumference) & (way * -1 <= world.circumference), ONCE)
+    world = any_world(given, setting)
+    ways = ways_round(given, world, setting.drives)
     other = view.of_world(world)
     for held, by in ((world, ways), (other, view.of_ways(ways))):
         go_on(held, by, UNIT, set())

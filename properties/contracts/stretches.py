@@ -8,7 +8,7 @@ body goes. Ways are any, but for two things: nobody in contact comes nearer, or 
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from itertools import chain, groupby, pairwise, product
@@ -75,6 +75,14 @@ def any_way(given: Given, body: int) -> Any:
     return given.number(f"way of {body} to the right") - given.number(f"way of {body} to the left")
 
 
+def ways_round(given: Given, world: StoreyWorld[Any], bodies: Iterable[int]) -> dict[int, Any]:
+    """Any ways of some bodies; on a ring nobody goes round more than once, else no proof would come to its end."""
+    ways, round_ = {body: any_way(given, body) for body in bodies}, world.circumference
+    for way in ways.values() if round_ is not None else ():
+        given.assume((way <= round_) & (way * -1 <= round_), ONCE)
+    return ways
+
+
 def any_marks(given: Given, world: StoreyWorld[Any]) -> set[Mark]:
     """Any of the contacts and walls that a world has, recorded."""
     marks = any_contacts(given, world)
@@ -91,7 +99,7 @@ def any_contacts(given: Given, world: StoreyWorld[Any]) -> set[Mark]:
     marks: set[Mark] = set()
     for left, right in world.neighbours():
         if given.flag(f"the contact of {left} with {right} is recorded"):
-            given.assume(world.gap(left, right) == world.margin, SOUND)
+            given.assume(world.gap(left, right) <= world.margin, SOUND)
             marks.add(Contact(left, right))
     return marks
 
@@ -117,16 +125,13 @@ def nearings(world: StoreyWorld[Any], ways: Ways) -> Iterator[Nearing[Any]]:
 def passed(given: Given, setting: Setting) -> Passed:
     """Any stretch in any world of a setting."""
     before = any_world(given, setting)
-    ways = {body: any_way(given, body) for body in setting.drives}
+    ways = ways_round(given, before, setting.drives)
     recorded, come = any_marks(given, before), set()
     given.assume(every(shuts(mark, ways) for mark in recorded), CLOSED)
     for one in nearings(before, ways):
         given.assume(one.speed <= greater(one.room, one.room * 0), FIRST)
         if one.speed >= one.room:
             come.add(one.mark)
-    if before.circumference is not None:
-        for way in ways.values():
-            given.assume((way <= before.circumference) & (way * -1 <= before.circumference), ONCE)
     world = before.copy()
     return Passed(before, world, ways, recorded, go_on(world, ways, UNIT, recorded), come)
 

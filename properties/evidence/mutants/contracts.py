@@ -7,15 +7,35 @@ promise rests on contracts alone, and no wrong rule breaks it; there wrong contr
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+import contextlib
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
 from functools import cache
+from typing import Any
 
+from properties.claims.catalogue import CLAIMS
+from properties.engine.explore import explore
 from properties.evidence.mutants.mutant import Mutant, mutants_of, told_apart
 from properties.evidence.mutants.operators import WEAKENING
 from properties.evidence.mutants.rules import of_displays, of_rules, of_steps, of_velocities
-from properties.evidence.mutants.trial import CRASHES, Kill, explored, kills_by_proofs, replayed, said_by, told
+from properties.evidence.mutants.trial import (
+    CRASHES,
+    Kill,
+    ended,
+    explored,
+    kills_by_counts,
+    kills_by_proofs,
+    programs,
+    replayed,
+    said_by,
+    told,
+)
 from properties.evidence.mutants.worlds import of_worlds
 from properties.evidence.showing import texts
+from properties.given import Given
+from spec.invariants import every
+from spec.number import Truth
+from spec.plane import negated
 
 CONTRACTS = ("properties.contracts.contract",)
 OBLIGATIONS = (
@@ -27,11 +47,18 @@ OBLIGATIONS = (
     "properties.contracts.step_families",
     "properties.contracts.sweeps",
     "properties.contracts.instants",
+    "properties.contracts.endings",
+    "properties.contracts.bounces",
+    "properties.contracts.reach",
     "properties.worlds.window",
 )
 WHOLE_STEPS = ("seen_by", "steps_keep_the_invariants", "steps_have_mirror_images", "steps_may_be_split")
 """What is about worlds of fixed shape, on which no mutants are tried."""
+ENDING = ("ways_round",)
+"""What only has proofs come to their end."""
 PREMISES = "other premises"
+MOST_WRONG = 40
+"""On how many wrong ones it is looked for what a mutant passes over."""
 
 Calls = Mapping[str, frozenset[str]]
 """The functions that each obligation runs."""
@@ -42,7 +69,9 @@ Caught = Mapping[str, Iterable[Kill]]
 
 def weakened(modules: Iterable[str]) -> dict[str, Mutant]:
     """All mutants of some modules by the operators that drop, widen or negate."""
-    return told_apart([one for module in modules for one in mutants_of(module, *WHOLE_STEPS, operators=WEAKENING)])
+    return told_apart(
+        [one for module in modules for one in mutants_of(module, *WHOLE_STEPS, *ENDING, operators=WEAKENING)]
+    )
 
 
 @cache
@@ -87,15 +116,24 @@ def kill_of_obligation(
 ) -> Kill | None:
     """What catches a mutant of an obligation: the first of its kind in a fixed order."""
     mine = [name for name, functions in calls.items() if functions & mutant.reached]
-    return disagreement(mutant, caught, frozenset(mine)) or failure(mutant, mine, premises)
+    kills = [(name, kill) for name, kills in caught.items() for kill in kills if kill.by in mine and not kill.on]
+    kills.sort(key=lambda told: mine.index(told[1].by))
+    return disagreement(mutant, kills) or failure(mutant, mine, premises) or miscount(mutant) or leniency(mutant, kills)
 
 
-def disagreement(mutant: Mutant, caught: Caught, mine: frozenset[str]) -> Kill | None:
+def miscount(mutant: Mutant) -> Kill | None:
+    """An exact count of its module that fails on the true rules with the mutant in place."""
+    module = mutant.target.__module__
+    mine = [claim for claim in CLAIMS if any(one.program.__module__ == module for one in claim.counts)]
+    with mutant.in_place():
+        return next(kills_by_counts(mine), None)
+
+
+def disagreement(mutant: Mutant, kills: Iterable[tuple[str, Kill]]) -> Kill | None:
     """A recorded kill of a wrong rule or a wrong contract of which the mutant says another thing."""
-    for name, kills in caught.items():
-        for kill in kills:
-            if kill.by in mine and not kill.on and (now := said_otherwise(mutant, wrong_one(name), kill)) is not None:
-                return Kill(kill.by, now, kill.values, name)
+    for name, kill in kills:
+        if (now := said_otherwise(mutant, wrong_one(name), kill)) is not None:
+            return Kill(kill.by, now, kill.values, name)
     return None
 
 
@@ -122,3 +160,68 @@ def failure(mutant: Mutant, mine: Iterable[str], premises: Mapping[str, tuple[st
             if said_by(exploration) != premises[name]:
                 return Kill(name, (PREMISES,), {})
     return None
+
+
+@dataclass(frozen=True)
+class Noted:
+    """A `Given` in which promises are noted, and not judged."""
+
+    given: Given
+    promises: list[Truth] = field(default_factory=list)
+
+    def number(self, name: str, premise: str = "") -> Any:
+        """The number of that name."""
+        return self.given.number(name, premise)
+
+    def natural(self, name: str) -> Any:
+        """The whole number of that name."""
+        return self.given.natural(name)
+
+    def flag(self, name: str) -> bool:
+        """The truth value of that name."""
+        return self.given.flag(name)
+
+    def assume(self, premise: Truth, name: str = "") -> None:
+        """Go on only where the premise holds."""
+        self.given.assume(premise, name)
+
+    def ensure(self, name: str, promise: Truth) -> None:
+        """Note a promise."""
+        self.promises.append(promise)
+
+    def saw(self, rule: str) -> None:
+        """Note nothing: a rule fired."""
+
+
+def leniency(mutant: Mutant, kills: Sequence[tuple[str, Kill]]) -> Kill | None:
+    """Values at which a wrong rule or a wrong contract breaks an obligation, and the mutant says nothing of it.
+
+    They are looked for on the wrong ones that are known to break it.
+    """
+    with contextlib.suppress(*CRASHES):
+        for name, kill in (told for told in kills[:MOST_WRONG] if told[1].broken != (PREMISES,)):
+            with wrong_one(name).in_place():
+                found = passed_over(mutant, kill.by)
+            told_by = None if found is None else disagreement(mutant, [(name, found)])
+            if told_by is not None:
+                return told_by
+    return None
+
+
+def passed_over(mutant: Mutant, name: str) -> Kill | None:
+    """What breaks an obligation, but not what the mutant makes of it, if anything does."""
+
+    def program(given: Given) -> None:
+        own, other = Noted(given), Noted(given)
+        programs()[name](own)
+        with mutant.in_place():
+            programs()[name](other)
+        given.ensure("it says no less", negated(every(other.promises)) | every(own.promises))
+
+    with ended():
+        found = explore(program).counterexample
+    if found is None:
+        return None
+    values = texts(found.values)
+    broken = replayed(name, values)
+    return Kill(name, broken, values) if broken else None

@@ -87,8 +87,18 @@ BY_HAND: dict[str, tuple[str, ...]] = {
     "bool(world.grounded(body))": ("False",),
     "Seat(body, storey, top) not in lost": ("True",),
     "turn.own": ("turn.own + turn.passed",),
+    "turn.passed": ("turn.own + turn.passed",),
+    "bool(speeds[mark.left] >= speeds[mark.right])": ("True",),
+    "bool(speeds[mark.body] * mark.direction >= zero_like(speeds[mark.body]))": ("True",),
+    "urge.drive.speed + urge.carried": (
+        "urge.drive.speed + (urge.carried if urge.drive.speed < urge.drive.speed * 0 else urge.carried + urge.carried)",
+    ),
     "greater(member.wish * direction, zero_like(passed))": (
         "greater(member.wish * direction, member.wish * direction * -1)",
+    ),
+    "place.left + distance": (
+        "place.left + distance * place.storey",
+        "place.left + (distance if distance < place.width else distance * 0)",
     ),
     "footing.tops[-1]": ("footing.tops[0]",),
     "footing.tops[0]": ("footing.tops[-1]",),
@@ -113,8 +123,8 @@ def other_bound(node: ast.AST) -> Iterator[ast.AST]:
 
 
 def has_no_order(value: ast.expr) -> bool:
-    """Whether a value is an answer of the solver or a formula."""
-    return ast.unparse(value).startswith(("z3.", "formula_of("))
+    """Whether a value is an answer of the solver, a formula, or a list."""
+    return isinstance(value, ast.List | ast.ListComp) or ast.unparse(value).startswith(("z3.", "formula_of("))
 
 
 def fewer_terms(node: ast.AST) -> Iterator[ast.AST]:

@@ -49,6 +49,8 @@ from properties.evidence.mutants.stepped import (
 )
 from properties.evidence.mutants.trial import (
     CRASHING,
+    FEW,
+    MANY,
     Facts,
     Kill,
     count_crash,
@@ -124,8 +126,18 @@ class Known:
 
     @property
     def calls(self) -> dict[str, frozenset[str]]:
-        """The functions that each obligation runs."""
-        return {name: facts.calls for name, facts in self.facts.items()}
+        """The functions that each obligation runs, from the one of the fewest paths on."""
+        return {name: self.facts[name].calls for name in sorted(self.facts, key=lambda name: self.facts[name].paths)}
+
+    @property
+    def few(self) -> dict[str, frozenset[str]]:
+        """The same of those that have few paths."""
+        return {name: called for name, called in self.calls.items() if self.facts[name].paths <= FEW}
+
+    @property
+    def tried(self) -> dict[str, frozenset[str]]:
+        """The same of those on which all wrong rules are tried: of very many, only those that have few paths."""
+        return {name: called for name, called in self.calls.items() if name in self.few or not name.startswith(MANY)}
 
     @property
     def premises(self) -> dict[str, tuple[str, ...]]:
@@ -184,10 +196,11 @@ def kills_of(known: Known, group: str, name: str) -> tuple[Kill, ...]:
         if group == "engine":
             return tuple(Kill("test", (test,)) for test in failed_tests())
         if group == "worlds":
-            return one_or_none(kill_by_measures()) or tuple(outings.kills_by_storeys(first=True))
+            first = one_or_none(kill_by_measures()) or tuple(outings.kills_by_storeys(first=True))
+            return (*first, *kills_by_proofs(mutant, known.few))
         if group in OF_A_FAMILY:
-            return tuple(kills_by_proofs(mutant, known.calls)) or tuple(kills_by_counts(of_family(group)))
-        proofs = tuple(kills_by_proofs(mutant, known.calls))
+            return tuple(kills_by_proofs(mutant, known.tried)) or tuple(kills_by_counts(of_family(group)))
+        proofs = tuple(kills_by_proofs(mutant, known.tried))
         if group == "steps":
             return (*proofs, *outings.kills_by_storeys())
         return proofs or tuple(kills_by_runs(known.witnesses)) or tuple(kills_by_rows())
@@ -224,8 +237,9 @@ def taken_over(known: Known, group: str, name: str) -> Found | None:
 
 def kills_by_new_proofs(known: Known, group: str, name: str) -> Iterator[Kill]:
     """The obligations that catch a mutant of the rules, of those that the record does not know yet."""
-    calls = {one: called for one, called in known.calls.items() if one not in known.recorded.premises}
-    if group in OF_RULES:
+    of_group = known.few if group == "worlds" else known.tried
+    calls = {one: called for one, called in of_group.items() if one not in known.recorded.premises}
+    if group in (*OF_RULES, "worlds"):
         mutant = GROUPS[group]()[name]
         with mutant.in_place():
             yield from kills_by_proofs(mutant, calls)
