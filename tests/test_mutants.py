@@ -14,6 +14,7 @@ from properties.engine.explore import explore
 from properties.evidence.mutants.contracts import (
     PREMISES,
     failure,
+    leniency,
     of_obligations,
     said_otherwise,
 )
@@ -35,6 +36,7 @@ from properties.evidence.mutants.trial import (
     no_change,
     programs,
     replayed,
+    view_of,
 )
 from properties.evidence.sources import sources
 from properties.evidence.store import Store
@@ -113,6 +115,25 @@ def test_a_contract_that_assumes_more_is_caught_though_it_still_holds():
     narrower = mutant_of(of_obligations(), "segment_keeps_margin: False instead of True")
     found = failure(narrower, [MARGIN], {MARGIN: interface(MARGIN)})
     assert found == Kill(MARGIN, (PREMISES,))
+
+
+def test_a_promise_that_is_weaker_is_told_by_values_that_are_searched_for():
+    bounces = "bounces/two-bounces-make-way (repaired)"
+    weaker = mutant_of(of_obligations(), "two_bounces_make_way: other - body >= 3")
+    wrong = mutant_of(of_steps(), "row.what_is_passed: turn.own + turn.passed")
+    with wrong.in_place():
+        kill = attempt(bounces)
+    found = leniency(weaker, [(wrong.name, kill)])
+    assert (found.by, found.on) == (bounces, wrong.name)
+    assert complaints({}, "obligations", weaker.name, [found]) == []
+    assert leniency(mutant_of(of_obligations(), "two_bounces_make_way: drop given.ensure"), []) is None
+
+
+def test_of_very_many_obligations_one_in_a_view_is_enough():
+    many = "images/worlds-look-alike (two, from behind) (repaired)"
+    assert view_of(many) == view_of(many.replace("two", "one on another"))
+    assert view_of(many) != view_of(many.replace("from behind", "in another order"))
+    assert view_of("stretches/stretches-keep-apart (two)") != view_of("stretches/stretches-keep-apart (alone)")
 
 
 def test_an_invariant_that_lets_something_pass_is_caught_by_a_deed():

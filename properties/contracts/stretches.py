@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
-from itertools import chain, groupby, pairwise, product
+from itertools import chain, groupby, product
 from typing import Any, cast
 
 from properties.given import Given
@@ -176,8 +176,9 @@ def settling_keeps_apart(rules: StepRules, given: Given, setting: Setting) -> No
     ways = {body: any_way(given, body) for body in setting.drives}
     recorded, world = any_contacts(given, before), before.copy()
     for body, changes in groupby(settle(rules.settle, world, ways, lost), lambda change: change.seat.body):
-        storeys = [before.storey(body), *(change.seat.storey for change in changes)]
-        given.ensure("it comes down, and then stands", all(a == b + 1 for a, b in pairwise(storeys[:-1])))
+        storeys = [change.seat.storey for change in changes]
+        down = [before.storey(body) - fallen for fallen in range(1, len(storeys))]
+        given.ensure("it comes down, and then stands", storeys[:-1] == [*down])
     for mark in present(world, recorded):
         given.ensure("what is still recorded is so", every([is_so(world, mark)]))
     course = Course((Stretch(before, world, zero, ways, cast(Any, ways), zero),))

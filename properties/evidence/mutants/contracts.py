@@ -7,7 +7,6 @@ promise rests on contracts alone, and no wrong rule breaks it; there wrong contr
 
 from __future__ import annotations
 
-import contextlib
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cache
@@ -47,6 +46,7 @@ OBLIGATIONS = (
     "properties.contracts.step_families",
     "properties.contracts.sweeps",
     "properties.contracts.instants",
+    "properties.contracts.stretches",
     "properties.contracts.endings",
     "properties.contracts.bounces",
     "properties.contracts.reach",
@@ -57,8 +57,8 @@ WHOLE_STEPS = ("seen_by", "steps_keep_the_invariants", "steps_have_mirror_images
 ENDING = ("ways_round",)
 """What only has proofs come to their end."""
 PREMISES = "other premises"
-MOST_WRONG = 40
-"""On how many wrong ones it is looked for what a mutant passes over."""
+MOST_WRONG, CRASHED = 40, 3
+"""On how many wrong ones it is looked for what a mutant passes over; and after how many that crash no more are tried."""
 
 Calls = Mapping[str, frozenset[str]]
 """The functions that each obligation runs."""
@@ -164,10 +164,12 @@ def failure(mutant: Mutant, mine: Iterable[str], premises: Mapping[str, tuple[st
 
 @dataclass(frozen=True)
 class Noted:
-    """A `Given` in which promises are noted, and not judged."""
+    """A `Given` in which promises are noted by name, and not judged; premises are noted too, unless they are taken."""
 
     given: Given
-    promises: list[Truth] = field(default_factory=list)
+    taken: bool
+    premises: list[Truth] = field(default_factory=list)
+    promises: dict[str, Truth] = field(default_factory=dict)
 
     def number(self, name: str, premise: str = "") -> Any:
         """The number of that name."""
@@ -182,12 +184,15 @@ class Noted:
         return self.given.flag(name)
 
     def assume(self, premise: Truth, name: str = "") -> None:
-        """Go on only where the premise holds."""
-        self.given.assume(premise, name)
+        """Go on only where the premise holds, or note it."""
+        if self.taken:
+            self.given.assume(premise, name)
+        else:
+            self.premises.append(premise)
 
     def ensure(self, name: str, promise: Truth) -> None:
         """Note a promise."""
-        self.promises.append(promise)
+        self.promises[name] = every([self.promises.get(name, True), promise])
 
     def saw(self, rule: str) -> None:
         """Note nothing: a rule fired."""
@@ -198,25 +203,32 @@ def leniency(mutant: Mutant, kills: Sequence[tuple[str, Kill]]) -> Kill | None:
 
     They are looked for on the wrong ones that are known to break it.
     """
-    with contextlib.suppress(*CRASHES):
-        for name, kill in (told for told in kills[:MOST_WRONG] if told[1].broken != (PREMISES,)):
+    crashed = 0
+    for name, kill in (told for told in kills[:MOST_WRONG] if told[1].broken != (PREMISES,)):
+        try:
             with wrong_one(name).in_place():
                 found = passed_over(mutant, kill.by)
-            told_by = None if found is None else disagreement(mutant, [(name, found)])
-            if told_by is not None:
-                return told_by
+        except CRASHES:
+            crashed += 1
+            if crashed == CRASHED:
+                return None
+            continue
+        told_by = None if found is None else disagreement(mutant, [(name, found)])
+        if told_by is not None:
+            return told_by
     return None
 
 
 def passed_over(mutant: Mutant, name: str) -> Kill | None:
-    """What breaks an obligation, but not what the mutant makes of it, if anything does."""
+    """What breaks a promise of an obligation, but not what the mutant makes of it, if anything does."""
 
     def program(given: Given) -> None:
-        own, other = Noted(given), Noted(given)
+        own, other = Noted(given, taken=True), Noted(given, taken=False)
         programs()[name](own)
         with mutant.in_place():
             programs()[name](other)
-        given.ensure("it says no less", negated(every(other.promises)) | every(own.promises))
+        for said, promise in own.promises.items():
+            given.ensure(said, promise | every([*other.premises, negated(other.promises.get(said, True))]))
 
     with ended():
         found = explore(program).counterexample
