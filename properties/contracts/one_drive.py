@@ -27,7 +27,6 @@ from spec.rules.step import StepRules
 from spec.rules.wish import Urge
 from spec.storeys import Drive
 
-PASSES = "time passes"
 ONE_WAY = "all ways are 0 or that of the drive"
 LIMITS = "nobody is beyond its limit"
 REACHED = "who is reached goes on, unless it is at its limit"
@@ -75,10 +74,8 @@ def as_closed_form(far: Any, limit: Any, wished: Any, pushed: Any) -> Truth:
 
 
 def way_of_drive(given: Given) -> Any:
-    """The way of the drive in a stretch in which time passes."""
-    way = given.number("way of the drive")
-    given.assume(way > 0, PASSES)
-    return way
+    """The way of the drive in a stretch."""
+    return given.number("way of the drive")
 
 
 def none_or(given: Given, way: Any, name: str) -> Any:
@@ -95,9 +92,7 @@ def any_along(given: Given, way: Any, limit: Any, name: str) -> Along:
         none_or(given, way, f"what reaches {name}"),
         none_or(given, way, f"way of {name}"),
     )
-    given.assume(far <= limit, LIMITS)
-    goes = (reached > 0) & (far < limit)
-    given.assume(implies(goes, its_way > 0) & implies(its_way > 0, goes), REACHED)
+    given.assume(implies((reached > 0) & (far < limit), its_way > 0), REACHED)
     return Along(far, limit, reached, its_way)
 
 
@@ -138,14 +133,13 @@ def any_place(given: Given, way: Any) -> Place:
     given.assume(is_least(back_limit, wall_behind, behind + limit), LIMITS)
     follower = any_along(given, way, back_limit, "the one behind")
     far = given.number("how far")
-    given.assume((follower.far - far <= behind) & (far - leader.far <= before), APART)
+    given.assume(follower.far - far <= behind, APART)
     wish, others = none_or(given, way, "wish"), none_or(given, way, "wish of others ahead")
     return Place(follower, leader, behind, before, far, limit, wall, given.number("wished"), wish, others)
 
 
 def assume_so_far(given: Given, one: Place) -> None:
     """What holds of a body at the beginning of a stretch."""
-    given.assume(one.far <= one.limit, LIMITS)
     given.assume(as_closed_form(one.far, one.limit, one.wished, one.follower.far - one.behind), RECURSION)
     nobody_wishes = (one.wish <= 0) & (one.ahead_wishes <= 0)
     given.assume(implies(one.follower.has_stopped, nobody_wishes), STILL_BEHIND)

@@ -24,6 +24,7 @@ from properties.evidence.mutants.trial import (
     explored,
     kills_by_counts,
     kills_by_proofs,
+    no_change,
     programs,
     replayed,
     said_by,
@@ -58,7 +59,7 @@ ENDING = ("ways_round",)
 """What only has proofs come to their end."""
 PREMISES = "other premises"
 MOST_WRONG, CRASHED = 40, 3
-"""On how many wrong ones it is looked for what a mutant passes over; and after how many that crash no more are tried."""
+"""On how many wrong ones it is looked for what a mutant passes over; after how many that crash no more are tried."""
 
 Calls = Mapping[str, frozenset[str]]
 """The functions that each obligation runs."""
@@ -118,7 +119,8 @@ def kill_of_obligation(
     mine = [name for name, functions in calls.items() if functions & mutant.reached]
     kills = [(name, kill) for name, kills in caught.items() for kill in kills if kill.by in mine and not kill.on]
     kills.sort(key=lambda told: mine.index(told[1].by))
-    return disagreement(mutant, kills) or failure(mutant, mine, premises) or miscount(mutant) or leniency(mutant, kills)
+    found = disagreement(mutant, kills) or failure(mutant, mine, premises) or miscount(mutant)
+    return found if found or no_change(mutant, calls) else leniency(mutant, kills)
 
 
 def miscount(mutant: Mutant) -> Kill | None:
@@ -201,10 +203,10 @@ class Noted:
 def leniency(mutant: Mutant, kills: Sequence[tuple[str, Kill]]) -> Kill | None:
     """Values at which a wrong rule or a wrong contract breaks an obligation, and the mutant says nothing of it.
 
-    They are looked for on the wrong ones that are known to break it.
+    They are looked for on wrong ones that are known to break it: of those that break the same promises, on the first.
     """
-    crashed = 0
-    for name, kill in (told for told in kills[:MOST_WRONG] if told[1].broken != (PREMISES,)):
+    crashed, breaking = 0, {kill.broken: (name, kill) for name, kill in reversed(kills) if kill.broken != (PREMISES,)}
+    for name, kill in reversed(list(breaking.values())[-MOST_WRONG:]):
         try:
             with wrong_one(name).in_place():
                 found = passed_over(mutant, kill.by)
