@@ -237,12 +237,12 @@ def supports_are_in_order(rules: StepRules, given: Given, setting: Setting) -> N
 
 
 def no_wall_is_between(rules: StepRules, given: Given, setting: Setting) -> None:
-    """Of two neighbours, the one ahead is nearer to the wall ahead of both by the gap, and more."""
-    world = any_world(given, setting)
+    """Of two neighbours, the one ahead is nearer to the wall ahead of both by the gap, and by what it takes itself."""
+    world: Any = any_world(given, setting)
     for left, right in world.neighbours():
         for one, other, ahead in ((left, right, Direction.RIGHT), (right, left, Direction.LEFT)):
             far, near = world.to_wall(one, ahead), world.to_wall(other, ahead)
-            given.ensure("no wall is between them", far is not None and far >= world.gap(left, right) + near)
+            given.ensure("no wall is between them", far >= world.gap(left, right) + world.places[other].width + near)
 
 
 def sums_are_the_closed_form(rules: StepRules, given: Given) -> None:

@@ -48,6 +48,7 @@ OBLIGATIONS = (
     "properties.contracts.sweeps",
     "properties.contracts.instants",
     "properties.contracts.stretches",
+    "properties.contracts.one_drive",
     "properties.contracts.endings",
     "properties.contracts.bounces",
     "properties.contracts.reach",
@@ -58,7 +59,7 @@ WHOLE_STEPS = ("seen_by", "steps_keep_the_invariants", "steps_have_mirror_images
 ENDING = ("ways_round",)
 """What only has proofs come to their end."""
 PREMISES = "other premises"
-MOST_WRONG, CRASHED = 40, 3
+MOST_WRONG, CRASHED = 60, 3
 """On how many wrong ones it is looked for what a mutant passes over; after how many that crash no more are tried."""
 
 Calls = Mapping[str, frozenset[str]]
@@ -203,10 +204,16 @@ class Noted:
 def leniency(mutant: Mutant, kills: Sequence[tuple[str, Kill]]) -> Kill | None:
     """Values at which a wrong rule or a wrong contract breaks an obligation, and the mutant says nothing of it.
 
-    They are looked for on wrong ones that are known to break it: of those that break the same promises, on the first.
+    They are looked for on wrong ones that are known to break it: first on one for each set of promises that are broken.
     """
-    crashed, breaking = 0, {kill.broken: (name, kill) for name, kill in reversed(kills) if kill.broken != (PREMISES,)}
-    for name, kill in reversed(list(breaking.values())[-MOST_WRONG:]):
+    first: list[tuple[str, Kill]] = []
+    other: list[tuple[str, Kill]] = []
+    crashed, known = 0, {(PREMISES,)}
+    for name, kill in kills:
+        if kill.broken != (PREMISES,):
+            (other if kill.broken in known else first).append((name, kill))
+            known.add(kill.broken)
+    for name, kill in [*first, *other][:MOST_WRONG]:
         try:
             with wrong_one(name).in_place():
                 found = passed_over(mutant, kill.by)
