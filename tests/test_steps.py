@@ -92,6 +92,19 @@ def test_a_wide_body_is_carried_round_a_ring_by_what_it_is_over_whichever_border
         assert len(course.stretches) == 1
 
 
+@pytest.mark.parametrize("shift", range(0, 40, 3))
+def test_a_top_that_holds_at_both_ends_is_front_most_wherever_the_ring_is_cut_open(shift):
+    def at(storey, left, width, support=None):
+        return Place(storey, Fraction((left + shift) % 40, 8), Fraction(width, 8), support)
+
+    for way, below, start in ((1, 28, 36), (-1, 26, 4)):
+        places = at(0, 4, 8), at(0, 25, 14), at(1, below, 10, 1), at(2, start, 24, 2)
+        world = StoreyWorld(Terrain((), None, Fraction(5)), Fraction(1, 4), places)
+        drives = dict.fromkeys(range(3), STILL) | {3: Drive(Fraction(way), relative=False)}
+        end = after(REPAIRED.rules, world, drives, Fraction(1, 2))
+        assert (end.storey(3), end.support(3)) == (1, 1)
+
+
 def test_who_rides_along_while_its_support_falls_takes_the_top_that_it_is_over_most():
     solid = (Interval(Fraction(0), Fraction(6)),)
     terrain = Terrain((solid,), Interval(Fraction(0), Fraction(12)))

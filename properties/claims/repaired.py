@@ -143,6 +143,7 @@ LOSSES = (
     Setting("two high up", (Member(2, STILL), Member(1, STILL)), (1, 1)),
     Setting("one on another that falls", (Member(2, STILL, 1), Member(1, STILL)), (1,)),
 )
+TWO_BELOW = Setting("one above two on a ring", (Member(1, STILL), Member(0, STILL), Member(0, STILL)), ring=True)
 FROM_START = (
     stretches.stretches_keep_apart,
     stretches.what_touches_is_recorded,
@@ -164,6 +165,7 @@ TIMES = (
 STRETCHES = (*CONTACTS, *TIMES, *(of_window(stretches.stretches_keep_apart, setting) for setting in WINDOWS))
 SETTLED = (
     *of_steps(instants.what_was_lost_is_not_looked_at),
+    of_window(stretches.tops_are_in_order, TWO_BELOW),
     *(of_window(stretches.settling_keeps_apart, setting) for setting in LOSSES),
 )
 ROWS = (
