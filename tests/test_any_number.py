@@ -254,3 +254,14 @@ def test_rows_are_of_bodies_whose_contacts_are_recorded(bodies):
             Contact(row[-1], row[0]) for row in closed
         }
         assert bool(closed) == (bool(pairs) and all(touch))
+
+
+def test_a_world_in_which_only_the_nearer_end_of_a_top_counts_is_refuted(monkeypatch):
+    one = next(one for one in SETTLED if one.id.startswith("stretches/tops-are-in-order"))
+    outcome = explore(lambda given: judged(one.program, REPAIRED, given))
+    assert outcome.exhaustive
+    assert outcome.counterexample is None
+    monkeypatch.setattr(StoreyWorld, "offsets", lambda world, body, below: [world.offset(body, below)])
+    outcome = explore(lambda given: judged(one.program, REPAIRED, given))
+    assert outcome.counterexample is not None
+    assert "nobody is further" in outcome.counterexample.broken

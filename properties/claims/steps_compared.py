@@ -8,9 +8,22 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from properties.claims.claim import Claim, Obligation, Verdict
-from properties.claims.repaired import LOSSES, ROWS, SETTLED, START, STILL, STRETCHES, WINDOWS, holds, of_steps, of_way
+from properties.claims.repaired import (
+    LOSSES,
+    ROWS,
+    SETTLED,
+    START,
+    STILL,
+    STRETCHES,
+    TWO_BELOW,
+    WINDOWS,
+    holds,
+    of_steps,
+    of_way,
+    of_window,
+)
 from properties.claims.string import name_of
-from properties.contracts import cuts, images, parting
+from properties.contracts import cuts, images, parting, stretches
 from properties.contracts.images import View, from_behind, renamed
 from properties.given import Given
 from properties.worlds.storeys import Member, Setting
@@ -68,7 +81,7 @@ def of_cut(program: Callable[[StepRules, Given, Setting], None], setting: Settin
 def seen(name: str, view: Callable[[int], View], least: int, *needs: str) -> tuple[Obligation, ...]:
     """That all of a step is alike in a view of so many bodies, in windows of so many at least; settling needs more."""
     windows = [one for one in WINDOWS if len(one.members) >= least]
-    losses = [one for one in (*LOSSES, *BESIDE) if len(one.members) >= least]
+    losses = [one for one in (*LOSSES, *BESIDE, TWO_BELOW) if len(one.members) >= least]
     return (
         *(in_view(program, name, view(4)) for program in (images.facts_look_alike, images.tops_look_alike)),
         *(
@@ -109,7 +122,7 @@ BELOW = (
     ),
     of_worlds(images.velocities_look_alike, RIDDEN[0], "without the rider", View((0,)), START),
 )
-KEPT = (*STRETCHES, *SETTLED)
+KEPT = (*STRETCHES, *SETTLED, of_window(stretches.settling_keeps_apart, TWO_BELOW))
 
 CLAIMS: tuple[Claim, ...] = (
     holds(STEP_SPLIT, PROVED, *CUT, *KEPT, *ROWS, long=True),

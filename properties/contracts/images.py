@@ -121,7 +121,8 @@ class Untied:
     def choose(self, facts: Any) -> AnyRule:
         """Return the rule that applies."""
         for one, other in combinations(facts.tops, 2):
-            self.given.assume((one.overlap != other.overlap) | (facts.motion != facts.motion * 0), UNTIED)
+            if one.body != other.body:
+                self.given.assume((one.overlap != other.overlap) | (facts.motion != facts.motion * 0), UNTIED)
         return self.family.choose(facts)
 
 
