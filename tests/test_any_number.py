@@ -29,14 +29,19 @@ from properties.contracts import bounces, endings, one_drive, stretches
 from properties.contracts.request import judged
 from properties.engine.explore import explore
 from properties.evidence.courses import drive
-from reference.storeys import Place, StoreyWorld, Terrain
+from reference.formats.level import valid_level
+from reference.formats.scenario import read_scenario
+from reference.plan import plan_of
+from reference.play import LIBRARY
+from reference.stepping import of_step
+from reference.storeys import StoreyWorld
 from spec.conditions import Condition
 from spec.profiles import REPAIRED
 from spec.rule import Family
 from spec.rules import step
 from spec.rules.row import full_speed, its_own, no_speed, stands_still, standstill, takes_part, the_same
 from spec.rules.settle import Found, front_most
-from spec.storeys import Contact, Drive, Interval, Seat
+from spec.storeys import Contact, Drive, Seat
 
 RESTS = {
     obligation.id: obligation
@@ -205,28 +210,21 @@ def test_a_closed_form_that_counts_rooms_from_the_wrong_side_is_refuted(monkeypa
 
 
 def test_a_wall_between_supports_leaves_who_was_pushed_ahead_of_the_closed_form():
-    one = Fraction(1)
-    places = (
-        Place(0, 0 * one, 8 * one, None),
-        Place(0, 12 * one, 8 * one, None),
-        Place(1, 1 * one, 6 * one, 0),
-        Place(1, 11 * one, 8 * one, 1),
-        Place(2, 3 * one, 6 * one, 2),
-        Place(2, 10 * one, 6 * one, 3),
-    )
-    terrain = Terrain(((), (Interval(9 * one, 10 * one),)), Interval(-10 * one, 60 * one))
-    world = StoreyWorld(terrain, one, places)
-    drives = {body: Drive(one if body == 0 else 0 * one) for body in range(6)}
-    course = drive(REPAIRED.rules, world, drives, 5 * one, 0 * one)
-    assert [course.after.support(body) for body in range(6)] == [place.support for place in places]
-    assert course.after.span(5).left - places[5].left == 4
-    assert furthest(world, drives, 5 * one)[5] == 2
+    scenario, record = read_scenario(LIBRARY / "scenarios" / "repaired-wall-between-supports.json")
+    level = valid_level(record, "$.level")
+    world, (driven, duration) = plan_of(level).start(), of_step(level, *scenario.steps)
+    drives = dict.fromkeys(range(len(world.places)), Drive(Fraction(0))) | driven
+    places, ahead = list(world.places), level.handles["Ahead"]
+    course = drive(REPAIRED.rules, world, drives, duration, Fraction(0))
+    assert [place.support for place in course.after.places] == [place.support for place in places]
+    assert course.after.span(ahead).left - places[ahead].left == 4
+    assert furthest(world, drives, duration)[ahead] == 2
     assert not supports_in_one_row(world)
 
 
 def test_another_number_of_instants_than_that_of_bounces_is_noticed():
     free = with_effect("meet", "row/squeezed", takes_part)
-    with pytest.raises(AssertionError, match="halvings"):
+    with pytest.raises(AssertionError, match="quarterings"):
         bounces.instants_have_no_bound(free)
 
 
