@@ -76,6 +76,11 @@ class Named:
         """Its name as an ID."""
         return f"profile/{self.name}"
 
+    @property
+    def not_asked(self) -> frozenset[str]:
+        """The IDs of invariants and unsupported cases that mean nothing under it."""
+        return frozenset()
+
 
 @dataclass(frozen=True)
 class Profile(Named):

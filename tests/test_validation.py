@@ -27,7 +27,7 @@ from reference.recording import header_of, lines_of
 from reference.simulator import Game, move
 from reference.world import World, standing
 from spec.graph import Direction
-from spec.profiles import OVERSHOOT, THESIS
+from spec.profiles import OVERSHOOT, THESIS, Profile
 from spec.rule import Family, GuardError, Rule
 from spec.rules.clearance import CLEARANCE
 from spec.rules.leave import LEAVE, land_at, stay
@@ -66,6 +66,13 @@ def test_the_trace_of_every_scenario_conforms(path, floats, tmp_path):
     report = validate(written(tmp_path / "trace.jsonl", trace_of(path, floats)))
     assert report.conforms
     assert report.found.total() == report.found[Finding.AGREES]
+
+
+def test_what_a_feature_makes_meaningless_is_not_told_of_without_it(tmp_path, monkeypatch):
+    trace = written(tmp_path / "trace.jsonl", trace_of(SCENARIOS / "feature-no-collisions.json"))
+    assert validate(trace).broken == {}
+    monkeypatch.setattr(Profile, "not_asked", frozenset())
+    assert validate(trace).broken.keys() == {"invariant/no-overlap", "invariant/plane-apart", "invariant/plane-margin"}
 
 
 @pytest.mark.parametrize("name", ["push-into-wall", "figure-1-2-fall-edge", "figure-6-1-position-lookup"])
