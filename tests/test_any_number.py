@@ -9,6 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 import pytest
+from library import first_step
 from test_steps import with_effect
 
 from properties.claims.repaired import (
@@ -29,11 +30,6 @@ from properties.contracts import bounces, endings, one_drive, stretches
 from properties.contracts.request import judged
 from properties.engine.explore import explore
 from properties.evidence.courses import drive
-from reference.formats.level import valid_level
-from reference.formats.scenario import read_scenario
-from reference.plan import plan_of
-from reference.play import LIBRARY
-from reference.stepping import of_step
 from reference.storeys import StoreyWorld
 from spec.conditions import Condition
 from spec.profiles import REPAIRED
@@ -41,7 +37,7 @@ from spec.rule import Family
 from spec.rules import step
 from spec.rules.row import full_speed, its_own, no_speed, stands_still, standstill, takes_part, the_same
 from spec.rules.settle import Found, front_most
-from spec.storeys import Contact, Drive, Seat
+from spec.storeys import Contact, Seat
 
 RESTS = {
     obligation.id: obligation
@@ -215,11 +211,8 @@ def test_a_closed_form_that_counts_rooms_from_the_wrong_side_is_refuted(monkeypa
 
 
 def test_a_wall_between_supports_leaves_who_was_pushed_ahead_of_the_closed_form():
-    scenario, record = read_scenario(LIBRARY / "scenarios" / "repaired-wall-between-supports.json")
-    level = valid_level(record, "$.level")
-    world, (driven, duration) = plan_of(level).start(), of_step(level, *scenario.steps)
-    drives = dict.fromkeys(range(len(world.places)), Drive(Fraction(0))) | driven
-    places, ahead = list(world.places), level.handles["Ahead"]
+    world, drives, duration = first_step("repaired-wall-between-supports")
+    places, ahead = list(world.places), len(world.places) - 1
     course = drive(REPAIRED.rules, world, drives, duration, Fraction(0))
     assert [place.support for place in course.after.places] == [place.support for place in places]
     assert course.after.span(ahead).left - places[ahead].left == 4
