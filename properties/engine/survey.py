@@ -160,13 +160,13 @@ def beyond(held: frozenset[str], conditions: Mapping[str, z3.BoolRef]) -> z3.Boo
 
 
 def largest(solver: z3.Solver, conditions: Mapping[str, z3.BoolRef]) -> frozenset[str]:
-    """The conditions, in their order, that can hold together with what a solver knows and with those taken before.
+    """The conditions that can hold together with what a solver knows, each taken if it can hold with those before it.
 
-    So it is always the same set, and none can be added. The solver has just found a model. Where the next one holds in
-    a model of those taken so far, there is nothing to ask.
+    They are taken by name. So it is always the same set, and none can be added. The solver has just found a model; where
+    the next one holds in a model of those taken so far, there is nothing to ask.
     """
     model, held = solver.model(), dict[str, z3.BoolRef]()
-    for name, formula in conditions.items():
+    for name, formula in sorted(conditions.items()):
         if not z3.is_true(model.eval(formula, model_completion=True)):
             if not can_hold(solver, [*held.values(), formula]):
                 continue
