@@ -304,16 +304,16 @@ class World(Generic[N]):
 
     def straight(self, held: Body[N]) -> bool:
         """Whether the ground under a body has one slope, all of it."""
-        if held.left.edge >= self.statics:
+        row = self.row_of_edge[held.left.edge]
+        if held.left.edge == held.right.edge and (not row.closed or held.left.location < held.right.location):
             return True
-        first, *others = self.ground_under(held)
+        first, *others = self.ground_under(held, row)
         return all(bool(edge.run == first.run and edge.rise == first.rise) for edge in others)
 
-    def ground_under(self, held: Body[N]) -> list[Edge[N]]:
-        """The ground edges under a body that stands on the ground, from that of one border to that of the other."""
-        row = self.row_of_edge[held.left.edge]
+    def ground_under(self, held: Body[N], row: Row[N]) -> list[Edge[N]]:
+        """The ground edges under a body across a vertex of a string, from that of one border to that of the other."""
         first, last = (row.edges.index(at.edge) for at in (held.left, held.right))
-        if row.closed and (last < first or (last == first and held.left.location >= held.right.location)):
+        if row.closed and last <= first:
             under = row.edges[first:] + row.edges[: last + 1]
         else:
             under = row.edges[min(first, last) : max(first, last) + 1]

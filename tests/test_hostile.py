@@ -42,7 +42,7 @@ VALUES = [None, True, 0, 1, 2, -1, 0.1, -0.0, 5e-324, 1.7e308, 2**63, 2**64, 10*
 HOSTILE = st.sampled_from(TEXTS + NUMBERS + VALUES + [float("inf"), float("nan")])
 RUNS = settings(deadline=None, database=None, suppress_health_check=list(HealthCheck))
 FILES = [pytest.param(many, marks=pytest.mark.slow) if many > 100 else many for many in (100, 350)]
-"""How many files are tried: the first of them again and again, all now and then."""
+"""How many files are tried: all of them among the slow tests only."""
 
 
 def documents(kind):
