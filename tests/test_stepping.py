@@ -8,6 +8,7 @@ from random import Random
 
 import msgspec
 import pytest
+from command import graphbody
 from independent.levels import scenario as scenario_of
 
 from properties.conformance.account import account
@@ -207,13 +208,9 @@ def test_lines_in_which_bodies_come_and_go_are_judged(tmp_path, floats):
 
 
 def test_a_body_that_finds_no_room_is_refused_before_anything_is_told(tmp_path, capsys):
-    from typer.testing import CliRunner
-
-    from properties.cli import app
-
     path = scenario(tmp_path, [drive(A="1"), come("5/2", "7/2", edge=0)])
-    ran = CliRunner().invoke(app, ["simulate", str(path)])
-    assert ran.exit_code == 2
+    ran = graphbody("simulate", path)
+    assert ran.returncode == 2
     assert not ran.stdout
     assert ran.stderr.count("\n") == 1
     assert "$.steps[1].add: 'Box' and 'Crate'" in ran.stderr

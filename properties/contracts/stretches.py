@@ -158,19 +158,26 @@ def is_so(world: StoreyWorld[Any], mark: Mark) -> Any:
     return negated(every([is_held(world, mark.body, UNIT * 0)]))
 
 
+def any_lost(given: Given, world: StoreyWorld[Any], zero: Any) -> set[Seat]:
+    """The seats of any of the bodies of a world, which hold no longer; those of all others do."""
+    lost = set()
+    for body in range(len(world.places)):
+        holds = every([is_held(world, body, zero)])
+        if given.flag(f"{body} has lost its support"):
+            lost.add(seat_of(world, body))
+            holds = negated(holds)
+        given.assume(holds, SOUND)
+    return lost
+
+
 def settling_keeps_apart(rules: StepRules, given: Given, setting: Setting) -> None:
     """When some have lost their supports, all find one that holds them, the right one; nobody comes up, into terrain,
     or nearer to another than the margin.
     """
     before = any_places(given, setting)
-    zero, lost = before.margin * 0, set()
+    zero = before.margin * 0
     given.assume(every([margins_kept(before, zero), outside_terrain(before, zero)]), APART)
-    for body in setting.drives:
-        holds = every([is_held(before, body, zero)])
-        if given.flag(f"{body} has lost its support"):
-            lost.add(seat_of(before, body))
-            holds = negated(holds)
-        given.assume(holds, SOUND)
+    lost = any_lost(given, before, zero)
     ways = {body: any_way(given, body) for body in setting.drives}
     recorded, world = any_contacts(given, before), before.copy()
     for body, changes in groupby(settle(rules.settle, world, ways, lost), lambda change: change.seat.body):
