@@ -31,7 +31,6 @@ from spec.storeys import AtWall, Contact, Interval, Mark, Seat
 
 FAMILIES: Mapping[type, str] = {Contact: "contact", AtWall: "wall", Seat: "loss"}
 COMING: Mapping[type, Callable[..., Iterator[Nearing[Any]]]] = {Contact: contacts, AtWall: walls, Seat: losses}
-COMES = "it comes at the end of the while"
 
 
 @dataclass(frozen=True)
@@ -109,32 +108,42 @@ def errors_spread_so(
     """
     courses = any_courses(given, setting)
     looks_alike(given, courses)
+    one, room = what_comes(given, courses, kind)
+    time = Seen(getattr(profile.rules, FAMILIES[kind]), given).choose(one).effect(one)
+    goes_on_in_time(given, courses, one, time)
+    after = courses.nearly.copy()
+    go_on(after, courses.speeds, time, set())
+    own = OF_A_ROOM + sum(courses.off[body] + courses.astray[body] for body in who_meets(one.mark) if body is not None)
+    late, earlier = one.speed.ways.late_after, greater(one.speed.ways.late, one.speed.ways.late * -1)
+    given.ensure("it is late by what is off, or as the instant before", equal(late, late * 0, greater(own, earlier)))
+    if room >= own + earlier:
+        used = toward(one.mark, {body: courses.apart(after, body, late * 0) for body in courses.speeds})
+        given.ensure("with room enough, it is late by what is off", equal(late, late * 0, own))
+        given.ensure("with room enough, the room is used up", equal(used * way_of(one.mark, courses), room, meeting))
+    for body, speed in courses.speeds.items():
+        off = courses.apart(after, body, speed.ways.due) - speed.ways.late_after
+        most = courses.off[body] + courses.astray[body] + OF_A_STRETCH
+        given.ensure(f"{body} is off by some roundings more", equal(off, off * 0, most))
+
+
+def what_comes(given: Given, courses: Courses, kind: type[Mark]) -> tuple[Nearing[Any], Any]:
+    """Something that comes at the end of the while, as the machine sees it, and the room to it in exact numbers."""
     velocities = {body: speed.held for body, speed in courses.speeds.items()}
     rooms = {one.mark: one.room for one in COMING[kind](courses.exact, velocities)}
     coming = [one for one in COMING[kind](courses.nearly, courses.speeds) if one.mark in rooms]
     given.assume(len(coming) > 0, "something comes nearer, in both")
     one = next((other for other in coming[1:] if given.flag(f"{other.mark} comes first")), coming[0])
-    room, ways = rooms[one.mark], one.speed.ways
-    given.assume(ways.due == greater(room, room * 0), COMES)
-    family = Seen(getattr(profile.rules, FAMILIES[kind]), given)
-    time = family.choose(one).effect(one)
-    given.assume(ways.gone - ways.astray >= 0, "what comes nearer does so in any time")
-    no_time_leads_nowhere(given, courses, time)
-    own = OF_A_ROOM + sum(courses.off[body] + courses.astray[body] for body in who_meets(one.mark) if body is not None)
-    late, before = ways.late_after, greater(ways.late, ways.late * -1)
-    enough = room >= own + before
-    given.ensure("it is late by what is off, or as the instant before", equal(late, late * 0, greater(own, before)))
-    after = courses.nearly.copy()
-    go_on(after, courses.speeds, time, set())
-    if enough:
-        came = {body: courses.apart(after, body, late * 0) for body in courses.speeds}
-        used = toward(one.mark, came) * (1 if toward(one.mark, velocities) > 0 else -1)
-        given.ensure("with room enough, it is late by what is off", equal(late, late * 0, own))
-        given.ensure("with room enough, the room is used up", equal(used, room, meeting))
-    for body, speed in courses.speeds.items():
-        off = courses.apart(after, body, speed.ways.due) - speed.ways.late_after
-        most = courses.off[body] + courses.astray[body] + OF_A_STRETCH
-        given.ensure(f"{body} is off by some roundings more", equal(off, off * 0, most))
+    room = rooms[one.mark]
+    given.assume(one.speed.ways.due == greater(room, room * 0), "it comes at the end of the while")
+    return one, room
+
+
+def goes_on_in_time(given: Given, courses: Courses, one: Nearing[Any], time: Time) -> None:
+    """Assume that in any time what comes nearer does so, and in none nobody goes anywhere."""
+    given.assume(one.speed.ways.gone - one.speed.ways.astray >= 0, "what comes nearer does so in any time")
+    if time.held <= 0:
+        for speed in courses.speeds.values():
+            given.assume((speed.ways.gone == 0) & (speed.ways.astray == 0), "in no time nobody goes anywhere")
 
 
 def first_comes_nearly_first(profile: SteppedProfile, given: Given) -> None:
@@ -161,21 +170,23 @@ def toward(mark: Mark, ways: Mapping[int, Any]) -> Any:
     return ways[first] if second is None else ways[first] - ways[second]
 
 
-def no_time_leads_nowhere(given: Given, courses: Courses, time: Time) -> None:
-    """Assume that in no time nobody goes anywhere."""
-    if time.held <= 0:
-        for speed in courses.speeds.values():
-            given.assume((speed.ways.gone == 0) & (speed.ways.astray == 0), "in no time nobody goes anywhere")
+def way_of(mark: Mark, courses: Courses) -> int:
+    """To which side the first body goes, as the second one sees it."""
+    return 1 if toward(mark, {body: speed.held for body, speed in courses.speeds.items()}) > 0 else -1
 
 
 def looks_alike(given: Given, courses: Courses) -> None:
     """Assume that the same terrain is ahead of a body, and that who is over ground is so by more than what is off."""
     for body, place in enumerate(courses.exact.places):
         away = courses.apart(courses.nearly, body, place.left * 0)
-        far = greater(away, away * -1) + LITTLE
         for ground in courses.exact.terrain.ground(place.storey) if place.storey else ():
-            over = (ground.left + far <= place.right) & (place.left + far <= ground.right)
+            over = before(ground.left, place.right, away) & before(place.left, ground.right, away)
             given.assume(over, "a body is over its ground by more than it is off")
         for wall in courses.exact.terrain.on(place.storey):
-            beside = (place.left + far <= wall.left) | (wall.left + far <= place.left)
+            beside = before(place.left, wall.left, away) | before(wall.left, place.left, away)
             given.assume(beside, "it is not where a wall begins")
+
+
+def before(one: Any, two: Any, off: Any) -> Any:
+    """Whether one place is before another by more than what is off, and some roundings."""
+    return (one + off + LITTLE <= two) & (one - off + LITTLE <= two)
