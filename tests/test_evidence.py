@@ -32,7 +32,7 @@ FLOORS_OF_VERDICTS = {
         no-overlap order termination rigid-width on-graph at-most-asked direction bystanders as-far-as-possible
         closed-form determinism additive translation one-rule-applies leaves-only-beyond no-jump-leads-up
         mirror edge-split full-circle margins-over-time order-over-time world-is-lawful nearly-exact
-        margin-nearly-kept
+        margin-nearly-kept step-nearly-exact
         landing-keeps-width stays-in-wall near-jump-edges landing-position landing-position/overshoot
         long-edges-fit
         one-step-rule-applies contacts-do-not-close squeezed-bodies-stand speeds-are-wished
@@ -49,7 +49,6 @@ FLOORS_OF_VERDICTS = {
         no-falls-no-leaving no-collisions-no-pushing no-width-no-jumps
     """,
     BOUNDED: """
-        step-nearly-exact
         proxy-on-level-ground whole-rows terrain plane-apart-of-two horizontal-alone
         supports-end never-raised height-kept
         supports-end/overshoot never-raised/overshoot height-kept/overshoot

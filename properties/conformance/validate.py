@@ -143,7 +143,8 @@ def referee_of(log: Recording) -> Referee:
     if isinstance(log.profile, Profile):
         return OfRequests(log.level, log.profile, nearly)
     check_plan(log.level)
-    return OfSteps(plan_of(log.level), log.profile, nearly)
+    numbers = precision(log.header)
+    return OfSteps(plan_of(log.level), log.profile, nearly, "float64" if numbers == "exact" else numbers)
 
 
 def referee_after(log: Recording, referee: OfSteps) -> OfSteps:
