@@ -344,8 +344,8 @@ CLAIMS: tuple[Claim, ...] = (
         id="claim/whole-steps",
         family="steps",
         sentence="Whole steps of small worlds, with riders, ledges and one that may not push, keep every invariant, "
-        "and so does settling on two round a ring; of some, the mirror image does the mirror image, and they may be cut "
-        "in two.",
+        "and so does settling on two round a ring; of some, the mirror image does the mirror image, and they may be "
+        "cut in two.",
         source="6.2.1; R5, R20",
         about="invariants",
         profile=REPAIRED,
