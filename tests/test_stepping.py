@@ -285,3 +285,21 @@ def test_where_nobody_is_driven_a_trace_has_no_moves_and_conforms(tmp_path):
     lines = trace(scenario(tmp_path, [{"tick": {"key": "left"}}, drive()], level))
     assert [line["moves"] for line in lines[1:]] == [[], []]
     assert validate(written(tmp_path, lines)).conforms
+
+
+def test_of_two_events_at_one_instant_either_may_come_first_in_floats(tmp_path):
+    """R, which rides C, comes to the wall as C ceases to hold it. In floats it comes there first, and stays on C."""
+    bodies = [
+        {"name": "Low", "left": {"edge": 0, "location": "0"}, "right": {"edge": 0, "location": "3/5"}},
+        {"name": "C", "left": {"edge": 0, "location": "4/5"}, "right": {"edge": 0, "location": "13/10"}},
+        {"name": "R", "left": {"top": "C", "location": "-2/5"}, "right": {"top": "C", "location": "1/5"}, "speed": "1"},
+    ]
+    level = {**LEVEL, "margin": "1/5", "vertices": [["0", "0"], ["23/10", "0"]], "bodies": bodies}
+    path = scenario(tmp_path, [drive("5/2", R="-1")], level)
+    exactly, nearly = (trace(path, floats)[1]["supports"]["R"] for floats in (False, True))
+    assert (exactly, nearly) == ("Low", "C")
+    lines = trace(path, floats=True)
+    assert validate(written(tmp_path, lines)).found == {Finding.ONE_OF_SEVERAL: 1}
+    for side in ("left", "right"):
+        lines[1]["bodies"][2][side]["location"] += 0.1
+    assert validate(written(tmp_path, lines)).found == {Finding.DIVERGES: 1}

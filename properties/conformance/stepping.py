@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from itertools import groupby
+from itertools import cycle, groupby
 from math import ceil
 from typing import Any
 
@@ -48,6 +48,9 @@ MORE_WORK = 4
 """How many times as many rules a way may take in which ties are broken otherwise. One that takes more does not end: a
 rest of time that is as good as none may be taken for some, again and again.
 """
+
+EVENTS_APART = 2**10
+"""As many events in a row are told apart, all of them by less than this part of the tolerance."""
 
 NEVER = Fraction(10**100)
 """A time after the end of every step."""
@@ -206,14 +209,15 @@ class OfSteps:
         """Whether the bodies are where they may be if ties are broken in another way, and what happened then.
 
         Ties of the same two values are broken alike all through the step, or else anew whenever a body looks for its
-        support. Velocities are exact, or else those that are sums are not.
+        support. Velocities are exact, or else those that are sums are not. Of events at one instant, of which such a
+        tie does not tell which is which, any may come first.
         """
         asked = self.driven(step.before, step.line)
         least, most = tolerance * slowest(asked[0]), self.plan.level.margin / PART * slowest(asked[0])
         apart = max(least, min(most, self.spread(first, asked).apart)) if tolerance else tolerance
         finding, rules = Finding.DIVERGES, self.profile.rules
         anew = replace(rules, settle=Asking(rules.settle))
-        for some in (rules, with_rounded_sums(rules), anew) if tolerance else ():
+        for some in (rules, with_rounded_sums(rules), anew, told_apart(rules, least)) if tolerance else ():
             try:
                 for outcome in self.ways(some, nearly(before), asked, apart, MORE_WORK * first.work):
                     if self.agrees(step, outcome, seen, self.within(outcome, asked, tolerance)):
@@ -365,6 +369,27 @@ class Coming:
         """Return the rule that applies."""
         rule = self.family.choose(facts)
         return rule if value_of(facts.speed) > 0 else replace(rule, effect=lambda nearing: Near(NEVER))
+
+
+def told_apart(rules: StepRules, tolerance: Fraction) -> StepRules:
+    """The rules with events of which no two come at one instant."""
+    counted, by = cycle(range(EVENTS_APART)), tolerance / EVENTS_APART**2
+    later = {name: Later(getattr(rules, name), by, counted) for name in ("contact", "wall", "loss")}
+    return replace(rules, **later)
+
+
+@dataclass(frozen=True)
+class Later:
+    """A family of what comes: each a little later than its rule says, by as many times a number as are counted."""
+
+    family: Chooser
+    by: Fraction
+    counted: Iterator[int]
+
+    def choose(self, facts: Nearing[Any]) -> AnyRule:
+        """Return the rule that applies."""
+        rule, late = self.family.choose(facts), self.by * next(self.counted)
+        return replace(rule, effect=lambda nearing: rule.effect(nearing) + late)
 
 
 def way(speed: Fraction) -> Direction:
