@@ -111,7 +111,7 @@ FAULTS = {
         "way",
         "way/wall",
         lambda way: way.speed - 1,
-        "parting/who-leaves-a-wall-is-as-fast (left)",
+        "parting/who-leaves-a-wall-is-as-fast (right)",
         "it is as fast ahead",
     ),
 }
@@ -162,7 +162,7 @@ def test_records_that_are_kept_on_one_side_only_are_refuted(monkeypatch):
 
 
 def test_a_step_that_records_late_or_forgets_is_refuted(monkeypatch):
-    recorded = ALL["cuts/what-is-recorded-touches (two)"]
+    recorded = ALL["cuts/what-comes-is-nearer (two)"]
     monkeypatch.setattr(step, "lasting", lambda ways, marks: marks)
     assert "what is recorded is what touches" in broken(recorded)
     monkeypatch.setattr(step, "lasting", lambda ways, marks: set())

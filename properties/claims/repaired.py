@@ -343,14 +343,21 @@ CLAIMS: tuple[Claim, ...] = (
     Claim(
         id="claim/whole-steps",
         family="steps",
-        sentence="Whole steps of small worlds, with riders, ledges and one that may not push, keep every invariant; of "
-        "some, the mirror image does the mirror image, and they may be cut in two.",
+        sentence="Whole steps of small worlds, with riders, ledges and one that may not push, keep every invariant, "
+        "and so does settling on two round a ring; of some, the mirror image does the mirror image, and they may be "
+        "cut in two.",
         source="6.2.1; R5, R20",
         about="invariants",
         profile=REPAIRED,
         premises=(START,),
         expected=BOUNDED,
-        obligations=(*WHOLE_STEPS, *LARGER_STEPS, *MIRRORED, *SPLIT),
+        obligations=(
+            *WHOLE_STEPS,
+            *LARGER_STEPS,
+            *MIRRORED,
+            *SPLIT,
+            of_window(stretches.settling_keeps_apart, TWO_BELOW),
+        ),
         long=True,
     ),
 )

@@ -172,6 +172,16 @@ def records_look_alike(rules: StepRules, given: Given, view: View) -> None:
     given.ensure("the same is left", there == view.of_marks(left))
 
 
+def tops_are_listed_alike(rules: StepRules, given: Given, setting: Setting, view: View) -> None:
+    """In another view of any world, the same tops would hold the first body, in the order in which they are seen."""
+    world: Any = any_places(given, setting)
+    zero = world.margin * 0
+    given.assume(every([margins_kept(world, zero), outside_terrain(world, zero)]), APART)
+    listed = [view.of_body(top) for top in world.tops(0)]
+    seen = view.of_world(world).tops(view.bodies.index(0))
+    given.ensure("the same tops are listed", seen == listed[:: -1 if view.turned else 1])
+
+
 def settling_looks_alike(rules: StepRules, given: Given, setting: Setting, view: View) -> None:
     """In another view of any world, whoever has lost its support finds the same one."""
     world: Any = any_places(given, setting)
