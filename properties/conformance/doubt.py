@@ -10,6 +10,7 @@ from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from itertools import cycle
 from typing import Any
 
 from properties.engine.ties import TIES, Near, value_of
@@ -22,6 +23,9 @@ from spec.rules.wish import Urge
 
 NEVER = Fraction(10**100)
 """A time after the end of every step."""
+
+EVENTS_APART = 2**10
+"""As many events in a row are told apart, all of them by less than this part of the tolerance."""
 
 Signs = dict[tuple[Fraction, Fraction], frozenset[int]]
 
@@ -100,3 +104,24 @@ class Coming:
         """Return the rule that applies."""
         rule = self.family.choose(facts)
         return rule if value_of(facts.speed) > 0 else replace(rule, effect=lambda nearing: Near(NEVER))
+
+
+def told_apart(rules: StepRules, tolerance: Fraction) -> StepRules:
+    """The rules with events of which no two come at one instant."""
+    counted, by = cycle(range(EVENTS_APART)), tolerance / EVENTS_APART**2
+    later = {name: Later(getattr(rules, name), by, counted) for name in ("contact", "wall", "loss")}
+    return replace(rules, **later)
+
+
+@dataclass(frozen=True)
+class Later:
+    """A family of what comes: each a little later than its rule says, by as many times a number as are counted."""
+
+    family: Chooser
+    by: Fraction
+    counted: Iterator[int]
+
+    def choose(self, facts: Nearing[Any]) -> AnyRule:
+        """Return the rule that applies."""
+        rule, late = self.family.choose(facts), self.by * next(self.counted)
+        return replace(rule, effect=lambda nearing: rule.effect(nearing) + late)

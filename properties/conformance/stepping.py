@@ -13,7 +13,7 @@ from math import ceil
 from typing import Any
 
 from properties.conformance.diagnosis import Trouble
-from properties.conformance.doubt import each_by_itself, with_known_speeds, with_rounded_sums
+from properties.conformance.doubt import each_by_itself, told_apart, with_known_speeds, with_rounded_sums
 from properties.conformance.judge import Difference, Expected, Finding, Judgement, position_text
 from properties.conformance.log import ZERO, Request, Step, minima_moved
 from properties.conformance.minimise import with_bodies, without_needless
@@ -203,13 +203,19 @@ class OfSteps:
         """Whether the bodies are where they may be if ties are broken in another way, and what happened then.
 
         Ties of the same two values are broken alike all through the step, or else for each body by itself when it looks
-        for its support. Velocities are exact, or else those that are sums are not.
+        for its support. Velocities are exact, or else those that are sums are not. Of events at one instant, of which
+        such a tie does not tell which is which, any may come first.
         """
         asked = self.driven(step.before, step.line)
         least, most = tolerance * slowest(asked[0]), self.plan.level.margin / PART * slowest(asked[0])
         apart = max(least, min(most, self.spread(first, asked).apart)) if tolerance else tolerance
         finding, rules, near = Finding.DIVERGES, self.profile.rules, nearly(before)
-        ways = (rules, near), (with_rounded_sums(rules), near), (rules, each_by_itself(near))
+        ways = (
+            (rules, near),
+            (with_rounded_sums(rules), near),
+            (rules, each_by_itself(near)),
+            (told_apart(rules, least), near),
+        )
         for some, where in ways if tolerance else ():
             try:
                 for outcome in self.ways(some, where, asked, apart, MORE_WORK * first.work):
