@@ -119,8 +119,9 @@ def test_a_contract_that_assumes_more_is_caught_though_it_still_holds():
 
 def test_a_promise_that_is_weaker_is_told_by_values_that_are_searched_for():
     bounces = "bounces/two-bounces-make-way (repaired)"
-    weaker = mutant_of(of_obligations(), "two_bounces_make_way: other - body >= 3")
+    weaker = mutant_of(of_obligations(), "two_bounces_make_way: other - box >= 3")
     wrong = mutant_of(of_steps(), "row.what_is_passed: turn.own + turn.passed")
+    assert attempt(bounces) is None
     with wrong.in_place():
         kill = attempt(bounces)
     found = leniency(weaker, [(wrong.name, kill)])

@@ -5,7 +5,7 @@ Where numbers are known nearly, the exact outcome is tried first; then every way
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from itertools import groupby
@@ -13,11 +13,12 @@ from math import ceil
 from typing import Any
 
 from properties.conformance.diagnosis import Trouble
+from properties.conformance.doubt import each_by_itself, told_apart, with_known_speeds, with_rounded_sums
 from properties.conformance.judge import Difference, Expected, Finding, Judgement, position_text
 from properties.conformance.log import ZERO, Request, Step, minima_moved
 from properties.conformance.minimise import with_bodies, without_needless
 from properties.conformance.said import as_json, of_the_moves, of_the_velocities
-from properties.conformance.spread import spread
+from properties.conformance.spread import Spread, roundings_of, spread
 from properties.engine.ties import TIES, Choices, Near, Ties, TooManyWays, every_way, value_of
 from reference.formats.files import FormatError
 from reference.formats.level import BodyRecord, LevelRecord, level_record, valid_level
@@ -27,7 +28,7 @@ from reference.formats.trace import EventRecord, LineRecord
 from reference.physics import left_to, set_off, with_motions
 from reference.plan import Plan, check_plan
 from reference.recording import Recording, event_record, events_of
-from reference.rounding import ROUNDINGS
+from reference.rounding import PART, ROUNDINGS, UNIT_ROUNDOFF, Precision, largest, rounding
 from reference.simulator import Endless, Happened
 from reference.stepping import MOST_CHOSEN, Driven, StepGame, of_step, run, told
 from reference.storeys import StoreyWorld, Terrain
@@ -35,6 +36,8 @@ from reference.world import LevelError, World
 from spec.body import Body, Level
 from spec.graph import Direction
 from spec.profiles import SteppedProfile
+from spec.rule import GuardError
+from spec.rules.step import Moment, StepRules
 from spec.rules.velocity import Motion
 from spec.storeys import Drive, Interval, short_way
 
@@ -50,25 +53,29 @@ Drives = Mapping[int, Drive[Fraction]]
 
 @dataclass(frozen=True)
 class Outcome:
-    """What came of a step: the storeys after it, how far each body moved, what happened, how many rules it took."""
+    """What came of a step: the storeys after it, how far each body moved, what happened, how many rules it took, and
+    from instant to instant how it went.
+    """
 
     storeys: StoreyWorld[Any]
     moved: Mapping[int, Fraction]
     happened: tuple[Happened[Any], ...]
     speeds: Mapping[int, Any]
     work: int
+    moments: Sequence[Moment[Any]]
 
 
 @dataclass(frozen=True)
 class OfSteps:
     """Who judges steps in which bodies move all at once: the plan of a log's level, and the profile.
 
-    `nearly` is how well velocities are known.
+    `nearly` is how well velocities are known, `numbers` what the log computes in.
     """
 
     plan: Plan[Fraction]
     profile: SteppedProfile
     nearly: Fraction
+    numbers: Precision = "float64"
 
     def asked(self, before: World[Fraction], line: LineRecord) -> tuple[Request, ...]:
         """How far each driven body would come if nothing were in its way."""
@@ -76,17 +83,33 @@ class OfSteps:
         return tuple((body, way(drive.speed), abs(drive.speed) * time) for body, drive in drives.items())
 
     def walks(self, step: Step) -> int:
-        """As often as makes what is rounded spread by half as many roundings: the rest is for ties."""
-        driven, time = self.driven(step.before, step.line)
-        moments, _ = run(self.profile.rules, self.storeys(step.before), self.drives(driven), time)
-        return max(1, ceil(2 * spread(moments) / ROUNDINGS))
+        """As often as makes up for how far what is rounded spreads."""
+        driven = self.driven(step.before, step.line)
+        outcome = self.outcome(self.storeys(step.before), driven)
+        distances = (distance for _, _, distance in step.asked)
+        one = ROUNDINGS * rounding(self.numbers, self.plan.level, *distances)
+        return max(1, ceil(self.spread(outcome, driven).off / one))
+
+    def spread(self, outcome: Outcome, asked: Driven[Fraction]) -> Spread:
+        """How far what is rounded spreads on the way to an outcome."""
+        roundoff, moving = UNIT_ROUNDOFF[self.numbers], [drive for drive in asked[0].values() if drive.speed]
+        sums = max(0, min(len(moving) - 1, sum(drive.relative for drive in moving)))
+        roundings = roundings_of(self.plan.terrain.circumference is not None)
+        return spread(outcome.moments, roundings, roundoff, largest(self.plan.level), sums)
+
+    def within(self, outcome: Outcome, asked: Driven[Fraction], tolerance: Fraction) -> Fraction:
+        """How far off a step may be that went as an outcome did; the tolerance at least."""
+        if not tolerance:
+            return tolerance
+        return max(tolerance, min(self.plan.level.margin / PART, self.spread(outcome, asked).off))
 
     def judge(self, step: Step, tolerance: Fraction) -> tuple[Judgement, list[Difference]]:
         """Where the bodies are after a step, and what the line says of their ways; of events in exact numbers."""
         judgement, outcome = self.found(step, tolerance)
         said: list[Difference] = []
         if judgement.finding in (Finding.AGREES, Finding.ONE_OF_SEVERAL):
-            said += of_the_moves(step.line, step.asked, judgement.expected, tolerance, rules_known=False)
+            within = self.within(outcome, self.driven(step.before, step.line), tolerance)
+            said += of_the_moves(step.line, step.asked, judgement.expected, within, rules_known=False)
             said += self.of_the_events(step.line, outcome) if not tolerance else ()
         return judgement, said
 
@@ -168,32 +191,60 @@ class OfSteps:
         driven, time = asked
         names = [body.name for body in self.plan.level.bodies]
         drives, after = self.drives(driven), before.copy()
-        moments, chosen = run(self.profile.rules, after, drives, time + before.margin * 0, most)
+        came, chosen = run(self.profile.rules, after, drives, time + before.margin * 0, most)
+        moments = [with_known_speeds(moment) for moment in came]
         moved = {body: sum((m.velocities[body] * value_of(m.moved) for m in moments), Fraction(0)) for body in drives}
-        return Outcome(after, moved, tuple(told(names, time, moments)), moments[-1].velocities, chosen.chosen)
+        happened = tuple(told(names, time, moments))
+        return Outcome(after, moved, happened, moments[-1].velocities, chosen.chosen, moments)
 
     def among_all_ways(
         self, step: Step, before: StoreyWorld[Any], seen: StoreyWorld[Any], tolerance: Fraction, first: Outcome
     ) -> tuple[Finding, Outcome]:
-        """Whether the bodies are where they may be if ties are broken in another way, and what happened then."""
-        near, asked = nearly(before), self.driven(step.before, step.line)
+        """Whether the bodies are where they may be if ties are broken in another way, and what happened then.
+
+        Ties of the same two values are broken alike all through the step, or else for each body by itself when it looks
+        for its support. Velocities are exact, or else those that are sums are not. Of events at one instant, of which
+        such a tie does not tell which is which, any may come first.
+        """
+        asked = self.driven(step.before, step.line)
+        least, most = tolerance * slowest(asked[0]), self.plan.level.margin / PART * slowest(asked[0])
+        apart = max(least, min(most, self.spread(first, asked).apart)) if tolerance else tolerance
+        finding, rules, near = Finding.DIVERGES, self.profile.rules, nearly(before)
+        ways = (
+            (rules, near),
+            (with_rounded_sums(rules), near),
+            (rules, each_by_itself(near)),
+            (told_apart(rules, least), near),
+        )
+        for some, where in ways if tolerance else ():
+            try:
+                for outcome in self.ways(some, where, asked, apart, MORE_WORK * first.work):
+                    if self.agrees(step, outcome, seen, self.within(outcome, asked, tolerance)):
+                        return Finding.ONE_OF_SEVERAL, outcome
+            except TooManyWays:
+                finding = Finding.AMBIGUOUS
+        return finding, first
+
+    def ways(
+        self, rules: StepRules, before: StoreyWorld[Any], asked: Driven[Fraction], apart: Fraction, most: int
+    ) -> Iterator[Outcome]:
+        """The outcomes of a step by rules, with ties broken in every way: of numbers so far apart at most.
+
+        Raises:
+            TooManyWays: if there are too many.
+        """
+        judge = replace(self, profile=replace(self.profile, rules=rules))
 
         def one_way(choices: Choices) -> Outcome | None:
-            token = TIES.set(Ties(tolerance * slowest(asked[0]), choices))
+            token = TIES.set(Ties(apart, choices))
             try:
-                return self.outcome(near, asked, MORE_WORK * first.work)
-            except Endless:
+                return judge.outcome(before, asked, most)
+            except (Endless, GuardError):
                 return None
             finally:
                 TIES.reset(token)
 
-        try:
-            for outcome in every_way(one_way, MOST_WAYS) if tolerance else ():
-                if outcome is not None and self.agrees(step, outcome, seen, tolerance):
-                    return Finding.ONE_OF_SEVERAL, outcome
-        except TooManyWays:
-            return Finding.AMBIGUOUS, first
-        return Finding.DIVERGES, first
+        yield from (outcome for outcome in every_way(one_way, MOST_WAYS) if outcome is not None)
 
     def agrees(self, step: Step, outcome: Outcome, seen: StoreyWorld[Any], tolerance: Fraction) -> bool:
         """Whether bodies are seen where an outcome has them, with the velocities that it leaves to them."""

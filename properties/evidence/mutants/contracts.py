@@ -208,7 +208,7 @@ def leniency(mutant: Mutant, kills: Sequence[tuple[str, Kill]]) -> Kill | None:
     """
     first: list[tuple[str, Kill]] = []
     other: list[tuple[str, Kill]] = []
-    crashed, known = 0, {(PREMISES,)}
+    crashed, known = 0, set[tuple[str, ...]]()
     for name, kill in kills:
         if kill.broken != (PREMISES,):
             (other if kill.broken in known else first).append((name, kill))

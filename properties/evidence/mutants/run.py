@@ -20,6 +20,7 @@ from typing import Any
 
 from properties.claims.catalogue import CLAIMS
 from properties.claims.claim import Claim
+from properties.contracts import bounces
 from properties.evidence.export import Recorder
 from properties.evidence.files import MUTANTS
 from properties.evidence.mutants import outings
@@ -163,7 +164,8 @@ def pool(*known: Known) -> ProcessPoolExecutor:
 
 
 def begin(*known: Known) -> None:
-    """Begin a process of a pool: an interrupt ends it without a word."""
+    """Begin a process of a pool: an interrupt ends it without a word. What is remembered of rules is so of true ones."""
+    bounces.start()
     signal.signal(signal.SIGINT, signal.SIG_DFL)
     HELD.extend(known)
 
