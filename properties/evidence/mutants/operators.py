@@ -104,6 +104,7 @@ BY_HAND: dict[str, tuple[str, ...]] = {
     "greater(member.wish * direction, zero_like(passed))": (
         "greater(member.wish * direction, member.wish * direction * -1)",
     ),
+    "self.carries(other, body)": ("False", "True"),
     "place.left + distance": (
         "place.left + distance * place.storey",
         "place.left + (distance if distance < place.width else distance * 0)",

@@ -164,7 +164,7 @@ def pool(*known: Known) -> ProcessPoolExecutor:
 
 
 def begin(*known: Known) -> None:
-    """Begin a process of a pool: an interrupt ends it without a word. What is remembered of rules is so of true ones."""
+    """Begin a process of a pool: an interrupt ends it without a word; what true rules have made is remembered."""
     bounces.start()
     signal.signal(signal.SIGINT, signal.SIG_DFL)
     HELD.extend(known)

@@ -12,15 +12,13 @@ from properties.evidence.mutants.mutant import Mutant, mutants_of, told_apart
 from properties.evidence.mutants.trial import CRASHES, Kill, ended
 
 EDITING = ("StoreyWorld.with_place", "StoreyWorld.without", "StoreyWorld.in_terrain", "StoreyWorld.at_one_place")
-WHOLE_STEPS = ("displacements", "furthest", "free_rows", "supports_in_one_row", "wish", "by_batch")
-"""What of the closed forms is tested on whole requests and steps."""
 MEASURED, MEASURE, WRONG = "count: counts/storeys-are-measured", "measure", "it is measured wrongly"
 
 
 @cache
 def of_worlds() -> dict[str, Mutant]:
-    """All mutants of the world of storeys, and of the closed form of a row, by name."""
-    return told_apart([*mutants_of("reference.storeys", *EDITING), *mutants_of("properties.closed_form", *WHOLE_STEPS)])
+    """All mutants of the world of storeys, by name."""
+    return told_apart(list(mutants_of("reference.storeys", *EDITING)))
 
 
 def measured_otherwise(name: str) -> tuple[str, ...] | None:
