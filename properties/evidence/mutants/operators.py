@@ -87,7 +87,6 @@ BY_HAND: dict[str, tuple[str, ...]] = {
     "bool(world.grounded(body))": ("False",),
     "Seat(body, storey, top) not in lost": ("True",),
     "turn.own": ("turn.own + turn.passed",),
-    "way.speed": ("way.speed if way.ahead is None else way.ahead",),
     "Change(rule.id, seat_of(world, body))": ("Change(rule.id, seat_of(world, 0))",),
     "reduce(lesser, sooner, left)": ("left", "left + left"),
     "not sooner": ("True", "False"),
