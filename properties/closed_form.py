@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from reference.batch import Batch, drives_of
+from reference.batch import Batch, along_rows, drives_of, storey_of
 from reference.storeys import StoreyWorld
 from reference.world import World
 from spec.graph import Direction
@@ -54,7 +54,9 @@ def furthest(world: StoreyWorld[Any], drives: Mapping[int, Drive[Any]], duration
             pairs = pairwise(bodies) if sign > 0 else (pair[::-1] for pair in pairwise(bodies))
             rooms = [world.gap(*pair) - world.margin for pair in pairs]
             walls = [world.to_wall(body, direction) for body in bodies]
-            found.update((b, far * sign) for b, far in zip(bodies, along_row(wishes, rooms, walls), strict=True))
+            found.update(
+                (b, far * sign) for b, far in zip(bodies, along_row(wishes, rooms, walls, direction), strict=True)
+            )
     return found
 
 
@@ -85,15 +87,12 @@ def wish(world: StoreyWorld[Any], body: int, drive: Drive[Any], duration: Any, f
     return drive.speed * duration + (found[support] if drive.relative and support is not None else 0)
 
 
-def along_row(wishes: list[Any], rooms: list[Any], walls: list[Any]) -> Any:
-    """How far each of a row goes, from behind: cumulative maxima of wishes, minima of what walls allow.
-
-    With the rooms behind it added, what a body goes and what it passes on are in one measure.
-    """
-    used = np.concatenate([[wishes[0] * 0], np.cumsum(np.array(rooms, dtype=object))])
-    pushed = np.maximum.accumulate(np.array([max(one, one * 0) for one in wishes], dtype=object) + used)
-    allowed = np.minimum.accumulate((np.array(walls, dtype=object) + used)[::-1])[::-1]
-    return np.minimum(pushed, allowed) - used
+def along_row(wishes: list[Any], rooms: list[Any], walls: list[Any], direction: Direction) -> Any:
+    """How far each of a row goes in a direction, by the text of a batch that has this row only; all from behind."""
+    row = storey_of(0, np.arange(len(wishes)), np.zeros(0, int))
+    starts = np.cumsum(np.array([wishes[0] * 0, *rooms], object))
+    from_left = (np.array(one, object)[::direction] for one in (wishes, starts, walls))
+    return along_rows(row, *from_left, direction)[0][::direction]
 
 
 def by_batch(world: StoreyWorld[Any], drives: Mapping[int, Drive[Any]], duration: Any) -> dict[int, Any] | None:

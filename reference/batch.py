@@ -274,13 +274,22 @@ def sweep(layout: Layout, storey: Storey, left: Array, wish: Array, found: Ways)
         far = wish[those] * direction
         if not np.any(far > 0):
             continue
-        room = to_walls(layout, left, those, direction)
-        start = place * direction
-        pushed, allowed = start + np.maximum(far, 0), start + np.maximum(room, 0)
-        accumulate(np.maximum, pushed, storey, direction)
-        accumulate(np.minimum, allowed, storey, direction.opposite)
-        found.far[those] += (np.minimum(pushed, allowed) - start) * direction
-        found.stopped[those] |= pushed > allowed
+        walls = to_walls(layout, left, those, direction)
+        far, stopped = along_rows(storey, far, place * direction, walls, direction)
+        found.far[those] += far * direction
+        found.stopped[those] |= stopped
+
+
+def along_rows(storey: Storey, wishes: Array, start: Array, walls: Array, direction: Direction) -> tuple[Array, Array]:
+    """How far the bodies of rows come in a direction, and who does not come as far as it wishes or is pushed.
+
+    `start` is the room in all up to each body, in that direction: there, who is pushed comes where the one behind does.
+    `walls` is how far the walls ahead are. The closed form of a row is this text, here and in its proof.
+    """
+    pushed, allowed = start + np.maximum(wishes, 0), start + walls
+    accumulate(np.maximum, pushed, storey, direction)
+    accumulate(np.minimum, allowed, storey, direction.opposite)
+    return np.minimum(pushed, allowed) - start, pushed > allowed
 
 
 def rooms(layout: Layout, storey: Storey, left: Array) -> Array:
@@ -293,11 +302,12 @@ def rooms(layout: Layout, storey: Storey, left: Array) -> Array:
 
 
 def to_walls(layout: Layout, left: Array, those: slice, direction: Direction) -> Array:
-    """How far bodies are from the walls on one side."""
+    """How far bodies are from the walls on one side; not at all if a rounding has put them there."""
     left_walls, right_walls = layout.edges[:2, those]
     right = left[those] + layout.width[those]
-    room: Array = right_walls - right if direction is Direction.RIGHT else left[those] - left_walls
-    return room
+    room = right_walls - right if direction is Direction.RIGHT else left[those] - left_walls
+    found: Array = np.maximum(room, 0)
+    return found
 
 
 def accumulate(operation: np.ufunc, values: Array, storey: Storey, direction: Direction) -> None:
