@@ -92,11 +92,12 @@ def along_row(wishes: list[Any], rooms: list[Any], walls: list[Any], direction: 
     row = storey_of(0, np.arange(len(wishes)), np.zeros(0, int))
     starts = np.cumsum(np.array([wishes[0] * 0, *rooms], object))
     from_left = (np.array(one, object)[::direction] for one in (wishes, starts, walls))
-    return along_rows(row, *from_left, direction)[0][::direction]
+    return along_rows(row, direction, *from_left)[0][::direction]
 
 
 def by_batch(world: StoreyWorld[Any], drives: Mapping[int, Drive[Any]], duration: Any) -> dict[int, Any] | None:
     """How far each body moves in a step if a batch has a closed form of that, positive to the right; else None."""
     batch = Batch([world], REPAIRED.rules)
-    far, fits = batch.furthest(drives_of([drives]), np.array([duration]))
+    batch.drive(drives_of([drives]))
+    far, fits = batch.furthest(batch.left, np.array([duration]))
     return dict(zip(batch.layout.order.tolist(), far, strict=True)) if fits[0] else None

@@ -33,6 +33,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from reference.rounding import ROUNDINGS, UNIT_ROUNDOFF
 from reference.stepping import run
 from reference.storeys import Place, StoreyWorld
 from spec.graph import Direction
@@ -275,12 +276,12 @@ def sweep(layout: Layout, storey: Storey, left: Array, wish: Array, found: Ways)
         if not np.any(far > 0):
             continue
         walls = to_walls(layout, left, those, direction)
-        far, stopped = along_rows(storey, far, place * direction, walls, direction)
+        far, stopped = along_rows(storey, direction, far, place * direction, walls)
         found.far[those] += far * direction
         found.stopped[those] |= stopped
 
 
-def along_rows(storey: Storey, wishes: Array, start: Array, walls: Array, direction: Direction) -> tuple[Array, Array]:
+def along_rows(storey: Storey, direction: Direction, wishes: Array, start: Array, walls: Array) -> tuple[Array, Array]:
     """How far the bodies of rows come in a direction, and who does not come as far as it wishes or is pushed.
 
     `start` is the room in all up to each body, in that direction: there, who is pushed comes where the one behind does.
@@ -368,12 +369,22 @@ class Batch:
     """Many levels of storeys, in the kind of numbers that the first of them has: floats, or any in arrays of objects.
 
     Bodies are counted through all levels: those of a level begin at `first`.
+
+    Attributes:
+        left: where the bodies are.
+        fits: which levels had a closed form when they were last looked at.
+        lead: the speed of who is driven in each level, if anybody is.
+        begun, rate, gone, ahead: where bodies were when their level was last looked at, and how they have moved since:
+            at these speeds, for so long, of a time for which nothing comes. That is less than 0 if it is not known.
     """
 
-    def __init__(self, worlds: Sequence[StoreyWorld[Any]], rules: StepRules) -> None:
-        """Take the levels as they are; the rules are for steps without a closed form."""
+    def __init__(self, worlds: Sequence[StoreyWorld[Any]], rules: StepRules, slack: Any = 0) -> None:
+        """Take the levels as they are; the rules are for steps without a closed form, and nobody is driven.
+
+        Who would come as near as `slack` to losing its support goes by events: in floats it may be lost or not.
+        """
         dtype = np.float64 if isinstance(worlds[0].margin, float) else object
-        self.rules, self.worlds = rules, [world.copy() for world in worlds]
+        self.rules, self.slack, self.worlds = rules, slack, [world.copy() for world in worlds]
         sizes = np.array([len(world.places) for world in worlds])
         places = [place for world in worlds for place in world.places]
         self.first, self.level = np.cumsum(sizes) - sizes, np.repeat(np.arange(len(worlds)), sizes)
@@ -383,6 +394,10 @@ class Batch:
         self.plain = np.array([is_plain(world) for world in worlds])
         self.standing = {i: standing(worlds[i], dtype) for i in np.flatnonzero(self.plain).tolist()}
         self.layout = self.lay_out()
+        self.drives = Drives(np.zeros(len(places), dtype), np.ones(len(places), bool))
+        self.fits, self.speck = self.plain.copy(), np.array([speck(world) for world in worlds], dtype)
+        self.begun, self.rate, self.far = self.left.copy(), self.left * 0, self.left * 0
+        self.lead, self.gone, self.ahead = self.speck * 0, self.speck * 0, self.speck * 0 - 1
 
     def lay_out(self) -> Layout:
         """Put the bodies of all levels that may have a closed form in order, as they stand."""
@@ -393,46 +408,128 @@ class Batch:
 
     def world(self, level: int) -> StoreyWorld[Any]:
         """The storeys of a level as they are now."""
-        world, start = self.worlds[level].copy(), self.first[level]
-        lefts = self.left[start : start + len(world.places)].tolist()
-        world.places = [replace(place, left=left) for place, left in zip(world.places, lefts, strict=True)]
+        return self.at(level, self.left)
+
+    def at(self, level: int, lefts: Array) -> StoreyWorld[Any]:
+        """The storeys of a level with its bodies somewhere else."""
+        world, those = self.worlds[level].copy(), self.bodies(level)
+        world.places = [
+            replace(place, left=left) for place, left in zip(world.places, lefts[those].tolist(), strict=True)
+        ]
         return world
 
-    def step(self, drives: Drives, durations: Array, slack: Any = 0) -> Array:
-        """Drive all bodies of each level for a time of its own; return for which levels there was a closed form.
+    def bodies(self, level: int) -> slice:
+        """Where the bodies of a level are."""
+        return slice(self.first[level], self.first[level] + len(self.worlds[level].places))
 
-        Who would come as near as `slack` to losing its support goes by events: in floats it may be lost or not.
+    def drive(self, drives: Drives) -> None:
+        """Let bodies have these drives from now on."""
+        changed = (drives.speed != self.drives.speed) | (drives.relative != self.drives.relative)
+        self.drives = Drives(drives.speed.copy(), drives.relative.copy())
+        self.ahead[self.level[changed]] = -1
+        driven = moves(drives.speed)
+        self.lead[self.level[driven]] = drives.speed[driven]
+
+    def step(self, durations: Array) -> None:
+        """Drive all bodies of each level for a time of its own.
 
         Raises:
             Endless: if rules are chosen too often.
         """
-        far, fits = self.furthest(drives, durations, slack)
-        self.left[self.layout.order] += np.where(fits[self.layout.level], far, 0)
-        changed = [self.by_events(level, drives, durations[level]) for level in np.flatnonzero(~fits).tolist()]
+        self.gone = self.gone + durations
+        late = self.gone > self.ahead
+        if late.any():
+            self.look(late, durations)
+        self.gone.take(self.level, out=self.far, mode="clip")
+        np.multiply(self.rate, self.far, out=self.far)
+        np.add(self.begun, self.far, out=self.left)
+
+    def look(self, levels: Array, durations: Array) -> None:
+        """Look at some levels, in which something may come before a step ends."""
+        going = levels & (self.ahead > 0)
+        fresh = levels & ~self.go_on(going, self.gone * 2) if going.any() else levels
+        if fresh.any():
+            self.begin(fresh, durations)
+
+    def go_on(self, levels: Array, times: Array) -> Array:
+        """Let those of some levels in which nothing comes for longer times go on as they do; return which they are."""
+        far, fits = self.furthest(self.begun, times)
+        _, straight = self.straight(far, times)
+        by_rules = np.flatnonzero(levels & ~self.fits).tolist()
+        straight &= fits
+        straight[by_rules] = [self.run(level, self.begun, times[level])[1] is not None for level in by_rules]
+        found: Array = levels & straight
+        self.ahead[found] = times[found]
+        return found
+
+    def begin(self, levels: Array, durations: Array) -> None:
+        """Take a step in some levels, from where they are."""
+        those, order = levels[self.level], self.layout.order
+        self.begun[those], self.rate[those] = self.left[those], 0
+        self.ahead[levels], self.gone[levels] = -1, 0
+        far, fits = self.furthest(self.left, durations)
+        rate, straight = self.straight(far, durations)
+        self.fits[levels], straight = fits[levels], levels & fits & straight
+        self.ahead[straight] = self.gone[straight] = durations[straight]
+        on, goes = (levels & fits)[self.layout.level], straight[self.layout.level]
+        self.rate[order[on]] = np.where(goes, rate, 0)[on]
+        self.begun[order[on]] += np.where(goes, 0, far)[on]
+        changed = [self.by_events(level, durations[level]) for level in np.flatnonzero(levels & ~fits).tolist()]
         if any(changed):
             self.layout = self.lay_out()
-        return fits
 
-    def furthest(self, drives: Drives, durations: Array, slack: Any = 0) -> tuple[Array, Array]:
-        """How far each body of the layout goes, to the right, and which levels that is so for."""
+    def furthest(self, lefts: Array, durations: Array) -> tuple[Array, Array]:
+        """How far each body of the layout goes from a place, to the right, and which levels that is so for."""
         order = self.layout.order
-        far, fits = furthest(
-            self.layout, self.left[order], Drives(drives.speed[order], drives.relative[order]), durations, slack
-        )
+        drives = Drives(self.drives.speed[order], self.drives.relative[order])
+        far, fits = furthest(self.layout, lefts[order], drives, durations, self.slack)
         return far, fits & self.plain
 
-    def by_events(self, level: int, drives: Drives, duration: Any) -> bool:
+    def straight(self, far: Array, durations: Array) -> tuple[Array, Array]:
+        """The speeds of the bodies of the layout that come so far, and in which levels all keep theirs for the time.
+
+        Where there is a closed form, all speeds are 0 or that of who is driven. So who comes as far as that leads has
+        had it all the time, and who comes nowhere has stood; in floats, but for roundings.
+        """
+        level, result = self.layout.level, np.ones(len(durations), bool)
+        whole = (self.lead * durations)[level]
+        goes = np.abs(far * 2) > np.abs(whole)
+        result[level[np.abs(far - np.where(goes, whole, 0)) > self.speck[level]]] = False
+        return np.where(goes, self.lead[level], 0), result
+
+    def by_events(self, level: int, duration: Any) -> bool:
         """Drive the bodies of a level from event to event; whether any stands otherwise then."""
-        world, start = self.world(level), self.first[level]
-        bodies = slice(start, start + len(world.places))
-        pairs = zip(drives.speed[bodies].tolist(), drives.relative[bodies].tolist(), strict=True)
-        run(self.rules, world, {body: Drive(*pair) for body, pair in enumerate(pairs)}, duration)
-        self.worlds[level], self.left[bodies] = world, [place.left for place in world.places]
+        those, (world, rates) = self.bodies(level), self.run(level, self.left, duration)
+        if rates is not None:
+            self.rate[those], self.ahead[level], self.gone[level] = rates, duration, duration
+            return False
+        self.worlds[level], self.begun[those] = world, [place.left for place in world.places]
         if not self.plain[level]:
             return False
         before, now = self.standing[level], standing(world, self.left.dtype)
         self.standing[level] = now
         return not (np.array_equal(before.kinds, now.kinds) and np.array_equal(before.edges, now.edges))
+
+    def run(self, level: int, lefts: Array, duration: Any) -> tuple[StoreyWorld[Any], list[Any] | None]:
+        """A level after a time, from event to event, and the speeds of its bodies if nothing comes in it.
+
+        On a ring these tell nothing: who comes round begins anew.
+        """
+        world, those = self.at(level, lefts), self.bodies(level)
+        drives = map(Drive, self.drives.speed[those].tolist(), self.drives.relative[those].tolist())
+        moments, _ = run(self.rules, world, dict(enumerate(drives)), duration)
+        if world.circumference is not None or len(moments) > 1 or moments[0].events or moments[0].changes:
+            return world, None
+        return world, [moments[0].velocities[body] for body in range(len(world.places))]
+
+
+def speck(world: StoreyWorld[Any]) -> Any:
+    """How far roundings may keep a body of a level from where it should come: in floats, some for each body."""
+    ends = world.terrain.ends
+    if ends is None or not isinstance(world.margin, float):
+        return world.margin * 0
+    most = max(abs(ends.left), abs(ends.right)) * len(world.places)
+    return float(UNIT_ROUNDOFF["float64"]) * ROUNDINGS / 2 * most
 
 
 def is_plain(world: StoreyWorld[Any]) -> bool:

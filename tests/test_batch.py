@@ -127,10 +127,11 @@ def test_many_levels_at_once_are_where_events_lead_in_exact_numbers(first):
     made = outings(200 if first == 0 else 2000, first)
     batch = Batch([one.world() for one in made], REPAIRED.rules)
     drives, durations = drives_of([one.drives_by_body for one in made]), np.array([one.duration for one in made])
+    batch.drive(drives)
     for _ in range(2):
         before = [batch.world(level) for level in range(len(made))]
-        fits = batch.step(drives, durations)
-        assert 0.1 < fits.mean() < 0.5
+        batch.step(durations)
+        assert 0.1 < batch.fits.mean() < 0.5
         for level, one in enumerate(made):
             after = by_events(before[level], one.drives_by_body, one.duration)
             assert batch.world(level).places == after.places
@@ -140,12 +141,13 @@ def test_many_levels_at_once_are_where_events_lead_in_exact_numbers(first):
 @pytest.mark.parametrize("many", [300, pytest.param(3000, marks=pytest.mark.slow)])
 def test_many_levels_at_once_are_within_roundings_of_where_events_lead_exactly(many):
     made = outings(many, 50_000)
-    batch = Batch([in_floats(one.world()) for one in made], REPAIRED.rules)
+    batch = Batch([in_floats(one.world()) for one in made], REPAIRED.rules, slack=2.0**-40)
     drives, durations = drives_of([floating(one.drives_by_body) for one in made]), [float(one.duration) for one in made]
     before = [exactly(batch.world(level)) for level in range(len(made))]
-    fits = batch.step(drives, np.array(durations), slack=2.0**-40)
-    assert fits.mean() > 0.1
-    for level in np.flatnonzero(fits).tolist():
+    batch.drive(drives)
+    batch.step(np.array(durations))
+    assert batch.fits.mean() > 0.1
+    for level in np.flatnonzero(batch.fits).tolist():
         after = by_events(before[level], made[level].drives_by_body, Fraction(durations[level]))
         assert seats(after) == seats(before[level])
         most = UNIT_ROUNDOFF["float64"] * ROUNDINGS * max(after.ends.right, after.ends.left)
@@ -169,10 +171,12 @@ def test_in_floats_who_stands_stays_to_the_bit_and_rows_do_not_creep():
     bodies = [(0, Fraction(1 + 6 * i, 10), Fraction(1, 3), None) for i in range(10)]
     batch = Batch([in_floats(line(30, (), *bodies))], REPAIRED.rules)
     drives = drives_of([{0: Drive(1.0)} | {body: Drive(0.0) for body in range(1, 10)}])
-    batch.step(drives, np.array([3.3]))
+    batch.drive(drives)
+    batch.step(np.array([3.3]))
     rest = batch.left.copy()
+    batch.drive(Drives(drives.speed * 0, drives.relative))
     for _ in range(100):
-        batch.step(Drives(drives.speed * 0, drives.relative), np.array([1.0]))
+        batch.step(np.array([1.0]))
     assert np.array_equal(batch.left, rest)
 
 

@@ -104,13 +104,15 @@ def at_once(scene: Pushed, bodies: int) -> Prepared:
 
 def of_batch(worlds: Sequence[StoreyWorld[float]], drives: Sequence[Drives], ticks: int, pushed: int) -> Prepared:
     """A batch of levels, driven for some ticks; the first so many bodies of the first level are pushed."""
-    batch, shares = Batch(worlds, REPAIRED.rules), list[float]()
-    of_all, durations, last = drives_of(drives), np.full(len(worlds), float(TICK)), pushed - 1
+    batch, shares = Batch(worlds, REPAIRED.rules, SLACK), list[float]()
+    durations, last = np.full(len(worlds), float(TICK)), pushed - 1
     start = float(batch.left[last])
+    batch.drive(drives_of(drives))
 
     def program() -> None:
         for _ in range(ticks):
-            shares.append(float(np.mean(batch.step(of_all, durations, SLACK))))
+            batch.step(durations)
+        shares.append(float(np.mean(batch.fits)))
 
     return Prepared(
         program,
