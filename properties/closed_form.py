@@ -97,7 +97,23 @@ def along_row(wishes: list[Any], rooms: list[Any], walls: list[Any], direction: 
 
 def by_batch(world: StoreyWorld[Any], drives: Mapping[int, Drive[Any]], duration: Any) -> dict[int, Any] | None:
     """How far each body moves in a step if a batch has a closed form of that, positive to the right; else None."""
-    batch = Batch([world], REPAIRED.rules)
-    batch.drive(drives_of([drives]))
+    batch = batch_of(world, drives)
     far, fits = batch.furthest(batch.left, np.array([duration]))
     return dict(zip(batch.layout.order.tolist(), far, strict=True)) if fits[0] else None
+
+
+def kept_by_batch(world: StoreyWorld[Any], drives: Mapping[int, Drive[Any]], duration: Any) -> dict[int, Any] | None:
+    """The speed of each body if a batch says by its closed form that all keep theirs for a time; else None."""
+    batch, durations = batch_of(world, drives), np.array([duration])
+    far, fits = batch.furthest(batch.left, durations)
+    if not fits[0]:
+        return None
+    speeds, straight = batch.straight(far, durations)
+    return dict(zip(batch.layout.order.tolist(), speeds, strict=True)) if straight[0] else None
+
+
+def batch_of(world: StoreyWorld[Any], drives: Mapping[int, Drive[Any]]) -> Batch:
+    """A batch of one level, whose bodies are driven so."""
+    batch = Batch([world], REPAIRED.rules)
+    batch.drive(drives_of([drives]))
+    return batch

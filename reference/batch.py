@@ -492,9 +492,8 @@ class Batch:
         had it all the time, and who comes nowhere has stood; in floats, but for roundings.
         """
         level, result = self.layout.level, np.ones(len(durations), bool)
-        whole = (self.lead * durations)[level]
-        goes = np.abs(far * 2) > np.abs(whole)
-        result[level[np.abs(far - np.where(goes, whole, 0)) > self.speck[level]]] = False
+        speck, goes = self.speck[level], ~is_near(far, self.speck[level])
+        result[level[goes & ~is_near(far - (self.lead * durations)[level], speck)]] = False
         return np.where(goes, self.lead[level], 0), result
 
     def by_events(self, level: int, duration: Any) -> bool:
@@ -521,6 +520,12 @@ class Batch:
         if world.circumference is not None or len(moments) > 1 or moments[0].events or moments[0].changes:
             return world, None
         return world, [moments[0].velocities[body] for body in range(len(world.places))]
+
+
+def is_near(values: Array, far: Array) -> Array:
+    """Which values are no further from 0 than that."""
+    found: Array = (values <= far) & (values * -1 <= far)
+    return found
 
 
 def speck(world: StoreyWorld[Any]) -> Any:

@@ -6,7 +6,7 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from properties.claims.repaired import BATCHES
+from properties.claims.repaired import BATCHES, GOING_ON
 from properties.closed_form import by_batch
 from properties.contracts.request import judged
 from properties.engine.explore import explore
@@ -155,6 +155,88 @@ def test_many_levels_at_once_are_within_roundings_of_where_events_lead_exactly(m
         assert max(off) <= most
 
 
+def ticks_agree(made, ticks):
+    """Whether a batch is where events lead after each of some ticks, of which the second half is driven backwards."""
+    batch = Batch([one.world() for one in made], REPAIRED.rules)
+    durations, alike = np.array([one.duration / ticks for one in made]), True
+    for tick in range(ticks):
+        turned = [backwards(one.drives_by_body) if 2 * tick >= ticks else one.drives_by_body for one in made]
+        before = [batch.world(level) for level in range(len(made))]
+        batch.drive(drives_of(turned))
+        batch.step(durations)
+        for level, drives in enumerate(turned):
+            alike &= batch.world(level).places == by_events(before[level], drives, durations[level]).places
+    return alike
+
+
+def test_tick_after_tick_levels_are_where_events_lead_in_exact_numbers():
+    assert ticks_agree(outings(40), 8)
+
+
+def all_straight(batch, far, durations, right=Batch.straight):
+    """As if all kept their speeds all the time."""
+    return right(batch, far, durations)[0], np.ones(len(durations), bool)
+
+
+def goes_on(batch, levels, times):
+    """As if nothing came any more."""
+    batch.ahead[levels] = times[levels]
+    return levels
+
+
+def not_heard(batch, drives, right=Batch.drive):
+    """As if levels in which drives change went on."""
+    ahead = batch.ahead.copy()
+    right(batch, drives)
+    batch.ahead = ahead
+
+
+def always_straight(batch, level, lefts, duration, right=Batch.run):
+    """As if nothing came in steps without a closed form."""
+    world, rates = right(batch, level, lefts, duration)
+    moved = [
+        (now.left - left) / (duration or 1) for now, left in zip(world.places, lefts[batch.bodies(level)], strict=True)
+    ]
+    return world, rates or moved
+
+
+@pytest.mark.parametrize(
+    ("name", "wrong"),
+    [("straight", all_straight), ("go_on", goes_on), ("drive", not_heard), ("run", always_straight)],
+)
+def test_a_batch_that_goes_on_wrongly_is_not_where_events_lead(monkeypatch, name, wrong):
+    monkeypatch.setattr(Batch, name, wrong)
+    assert not ticks_agree(outings(40), 8)
+
+
+def test_while_nothing_comes_levels_are_looked_at_seldom(monkeypatch):
+    looks, right = [], Batch.look
+    monkeypatch.setattr(Batch, "look", lambda batch, *rest: (looks.append(1), right(batch, *rest)))
+    world = line(30, (), (0, 1, 1, None), (0, 3, 1, None), (1, 3, 1, 1))
+    batch = Batch([in_floats(world)], REPAIRED.rules)
+    batch.drive(drives_of([floating(driven(world, b0=1))]))
+    for _ in range(2500):
+        batch.step(np.array([0.01]))
+    assert batch.left.tolist() == pytest.approx([26, 27.25, 27.25])
+    assert len(looks) < 50
+
+
+def test_in_floats_a_row_that_is_pushed_tick_by_tick_is_within_roundings_of_where_it_comes_exactly():
+    world = in_floats(line(28, (), *[(0, Fraction(1 + 14 * i, 10), Fraction(1, 3), None) for i in range(8)]))
+    batch, tick = Batch([world], REPAIRED.rules), 0.013
+    speeds = [1, *[0] * 7]
+    batch.drive(drives_of([{body: Drive(float(speed), relative=False) for body, speed in enumerate(speeds)}]))
+    drives = {body: Drive(Fraction(speed), relative=False) for body, speed in enumerate(speeds)}
+    for number in range(2000):
+        before = batch.world(0)
+        batch.step(np.array([tick]))
+        if number % 25 == 0:
+            after = by_events(exactly(before), drives, Fraction(tick))
+            off = [abs(Fraction(now) - right) for now, right in zip(lefts(batch.world(0)), lefts(after), strict=True)]
+            assert max(off) <= batch.speck[0]
+    assert batch.left[-1] == pytest.approx(28 - 1 / 3)
+
+
 def exactly(world):
     """A world of floats in exact numbers."""
     ends, margin = world.ends, Fraction(world.margin)
@@ -206,6 +288,14 @@ def test_a_wrong_batch_is_refuted(monkeypatch):
     assert outcome.counterexample is None
     assert outcome.promises > 0
     monkeypatch.setattr(batches, "rooms", WRONG["rooms"])
+    outcome = explore(lambda given: judged(pushes.program, REPAIRED, given))
+    assert outcome.counterexample is not None
+    assert "they are so far on" in outcome.counterexample.broken
+
+
+def test_a_batch_in_which_all_are_said_to_keep_their_speeds_is_refuted(monkeypatch):
+    pushes = next(one for one in GOING_ON if "(a push)" in one.id)
+    monkeypatch.setattr(Batch, "straight", all_straight)
     outcome = explore(lambda given: judged(pushes.program, REPAIRED, given))
     assert outcome.counterexample is not None
     assert "they are so far on" in outcome.counterexample.broken
