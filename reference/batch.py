@@ -439,9 +439,9 @@ class Batch:
         Raises:
             Endless: if rules are chosen too often.
         """
-        self.gone = self.gone + durations
+        self.gone += durations
         late = self.gone > self.ahead
-        if late.any():
+        if np.count_nonzero(late):
             self.look(late, durations)
         self.gone.take(self.level, out=self.far, mode="clip")
         np.multiply(self.rate, self.far, out=self.far)
