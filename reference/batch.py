@@ -22,7 +22,7 @@ begins, with a row above that reaches over the wall; so it does not fit, and eve
 greatest way that it slides is where it ends if nothing stops it, and less than its own way else. If that is less than
 what would make it lose its support, it keeps that.
 
-**Going on.** If all of a level have one speed each for a time ahead, a step of any part of it is one sum. So it is found
+**Going on.** If all of a level keep their speeds for a time ahead, a step of any part of it is one sum. So it is found
 out for longer and longer times whether something comes, and a level is looked at again only when that may be.
 """
 
