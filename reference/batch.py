@@ -468,15 +468,16 @@ class Batch:
     def begin(self, levels: Array, durations: Array) -> None:
         """Take a step in some levels, from where they are."""
         those, order = levels[self.level], self.layout.order
-        self.begun[those], self.rate[those] = self.left[those], 0
+        np.copyto(self.begun, self.left, where=those)
+        np.copyto(self.rate, 0, where=those)
         self.ahead[levels], self.gone[levels] = -1, 0
         far, fits = self.furthest(self.left, durations)
         rate, straight = self.straight(far, durations)
         self.fits[levels], straight = fits[levels], levels & fits & straight
         self.ahead[straight] = self.gone[straight] = durations[straight]
-        on, goes = (levels & fits)[self.layout.level], straight[self.layout.level]
-        self.rate[order[on]] = np.where(goes, rate, 0)[on]
-        self.begun[order[on]] += np.where(goes, 0, far)[on]
+        goes, once = straight[self.layout.level], (levels & fits & ~straight)[self.layout.level]
+        self.rate[order[goes]] = rate[goes]
+        self.begun[order[once]] += far[once]
         changed = [self.by_events(level, durations[level]) for level in np.flatnonzero(levels & ~fits).tolist()]
         if any(changed):
             self.layout = self.lay_out()
@@ -492,11 +493,12 @@ class Batch:
         """The speeds of the bodies of the layout that come so far, and in which levels all keep theirs for the time.
 
         Where there is a closed form, all speeds are 0 or that of who is driven. So who comes as far as that leads has
-        had it all the time, and who comes nowhere has stood; in floats, but for roundings.
+        had it all the time, and who comes nowhere has stood; in floats, but for roundings, which are to be fewer.
         """
-        level, result = self.layout.level, np.ones(len(durations), bool)
+        level, whole = self.layout.level, self.lead * durations
+        result = ~is_near(whole, self.speck * 2) | ~moves(self.lead)
         speck, goes = self.speck[level], ~is_near(far, self.speck[level])
-        result[level[goes & ~is_near(far - (self.lead * durations)[level], speck)]] = False
+        result[level[goes & ~is_near(far - whole[level], speck)]] = False
         return np.where(goes, self.lead[level], 0), result
 
     def by_events(self, level: int, duration: Any) -> bool:

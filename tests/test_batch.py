@@ -237,6 +237,16 @@ def test_in_floats_a_row_that_is_pushed_tick_by_tick_is_within_roundings_of_wher
     assert batch.left[-1] == pytest.approx(28 - 1 / 3)
 
 
+def test_in_floats_who_walks_as_slowly_as_roundings_does_not_stand():
+    world = line(30, (), (0, 1, 1, None), (0, 9, 1, None))
+    batch = Batch([in_floats(world)], REPAIRED.rules)
+    way = float(batch.speck[0]) * 3 / 4
+    batch.drive(drives_of([floating(driven(world, b0=1))]))
+    for _ in range(1000):
+        batch.step(np.array([way]))
+    assert batch.left[0] - 1 == pytest.approx(1000 * way, rel=0.01)
+
+
 def exactly(world):
     """A world of floats in exact numbers."""
     ends, margin = world.ends, Fraction(world.margin)
