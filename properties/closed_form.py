@@ -98,17 +98,17 @@ def along_row(wishes: list[Any], rooms: list[Any], walls: list[Any], direction: 
 def by_batch(world: StoreyWorld[Any], drives: Mapping[int, Drive[Any]], duration: Any) -> dict[int, Any] | None:
     """How far each body moves in a step if a batch has a closed form of that, positive to the right; else None."""
     batch = batch_of(world, drives)
-    far, fits = batch.furthest(batch.left, np.array([duration]))
+    far, fits = batch.furthest(batch.layout, batch.left, np.array([duration]))
     return dict(zip(batch.layout.order.tolist(), far, strict=True)) if fits[0] else None
 
 
 def kept_by_batch(world: StoreyWorld[Any], drives: Mapping[int, Drive[Any]], duration: Any) -> dict[int, Any] | None:
     """The speed of each body if a batch says by its closed form that all keep theirs for a time; else None."""
     batch, durations = batch_of(world, drives), np.array([duration])
-    far, fits = batch.furthest(batch.left, durations)
+    far, fits = batch.furthest(batch.layout, batch.left, durations)
     if not fits[0]:
         return None
-    speeds, straight = batch.straight(far, durations)
+    speeds, straight = batch.straight(batch.layout, far, durations)
     return dict(zip(batch.layout.order.tolist(), speeds, strict=True)) if straight[0] else None
 
 

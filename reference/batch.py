@@ -49,6 +49,9 @@ Array = NDArray[Any]
 MANY_ROWS = 100
 """As many rows are swept place by place; fewer are swept in one operation, which takes longer for each body."""
 
+LONGER = 64
+"""So many times as long as something has gone on it is tried whether it goes on."""
+
 
 @dataclass(frozen=True)
 class Standing:
@@ -138,12 +141,14 @@ class Layout:
 
     Attributes:
         order: which bodies they are, of all; all else is in this order.
+        kinds: of each body its storey, its row, its place in that, and whether it stands on ground above the floor.
         riders: those that stand on others.
         fallers: those that stand on ground above the floor.
     """
 
     order: Array
     level: Array
+    kinds: Array
     row: Array
     width: Array
     margin: Array
@@ -167,19 +172,35 @@ def lay_out(
     sort = np.lexsort((row, -length[row], place, storey))
     order, whereabouts = bodies[sort], np.zeros(len(level), int)
     whereabouts[order] = np.arange(len(order))
-    rides = (support != bodies)[sort]
-    storeys = tuple(storeys_of(storey[sort], place[sort], rides))
-    return Layout(
-        order,
-        level[order],
-        row[sort],
-        width[order],
-        margin[order],
-        whereabouts[support[sort]],
-        np.concatenate([one.edges for one in found])[sort].T.copy(),
-        storeys,
-        np.flatnonzero(rides),
-        np.flatnonzero(falls[sort]),
+    kinds, edges = np.array([storey, row, place, falls])[:, sort], np.concatenate([one.edges for one in found])[sort].T
+    return laid_out(order, level[order], kinds, width[order], margin[order], whereabouts[support[sort]], edges.copy())
+
+
+def laid_out(
+    order: Array, level: Array, kinds: Array, width: Array, margin: Array, support: Array, edges: Array
+) -> Layout:
+    """A layout of bodies that are in order."""
+    storey, row, place, falls = kinds
+    rides = support != np.arange(len(order))
+    storeys = tuple(storeys_of(storey, place, rides))
+    riders, fallers = np.flatnonzero(rides), np.flatnonzero(falls)
+    return Layout(order, level, kinds, row, width, margin, support, edges, storeys, riders, fallers)
+
+
+def part_of(layout: Layout, levels: Array) -> Layout:
+    """The layout of some of its levels."""
+    if levels.all():
+        return layout
+    those, found = np.flatnonzero(levels[layout.level]), np.zeros(len(layout.order), int)
+    found[those] = np.arange(len(those))
+    return laid_out(
+        layout.order[those],
+        layout.level[those],
+        layout.kinds[:, those],
+        layout.width[those],
+        layout.margin[those],
+        found[layout.support[those]],
+        layout.edges[:, those],
     )
 
 
@@ -450,52 +471,78 @@ class Batch:
     def look(self, levels: Array, durations: Array) -> None:
         """Look at some levels, in which something may come before a step ends."""
         going = levels & (self.ahead > 0)
-        fresh = levels & ~self.go_on(going, self.gone * 2) if going.any() else levels
+        fresh = levels & ~self.go_on(going) if going.any() else levels
         if fresh.any():
             self.begin(fresh, durations)
 
-    def go_on(self, levels: Array, times: Array) -> Array:
-        """Let those of some levels in which nothing comes for longer times go on as they do; return which they are."""
-        far, fits = self.furthest(self.begun, times)
-        _, straight = self.straight(far, times)
+    def go_on(self, levels: Array) -> Array:
+        """Let those of some levels go on as they do in which nothing comes now; return which they are.
+
+        It is tried for a longer time, and then until the closed form of that lets somebody stop, or set off.
+        """
+        layout, times = part_of(self.layout, levels & self.plain & self.fits), self.gone * LONGER
+        far, fits = self.furthest(layout, self.begun, times)
+        _, straight = self.straight(layout, far, times)
+        found: Array = levels & self.fits & fits & straight
+        self.ahead[found] = times[found]
+        return found | self.go_on_until(levels & ~found, self.sooner(layout, far, times))
+
+    def go_on_until(self, levels: Array, times: Array) -> Array:
+        """Let those of some levels go on in which nothing comes before a time; return which they are."""
+        layout = part_of(self.layout, levels & self.plain & self.fits)
+        far, fits = self.furthest(layout, self.begun, times)
+        _, straight = self.straight(layout, far, times)
+        straight &= fits & (times >= self.gone)
         by_rules = np.flatnonzero(levels & ~self.fits).tolist()
-        straight &= fits
         straight[by_rules] = [self.run(level, self.begun, times[level])[1] is not None for level in by_rules]
         found: Array = levels & straight
         self.ahead[found] = times[found]
         return found
 
+    def sooner(self, layout: Layout, far: Array, times: Array) -> Array:
+        """For each level a time in which somebody of the layout, that comes so far in another, has stopped or set off.
+
+        Where there is none it is twice the time that the level has gone.
+        """
+        found, level, whole = self.gone * 2, layout.level, (self.lead * times)[layout.level]
+        least = np.minimum(np.abs(far), np.abs(whole - far))
+        those = np.flatnonzero(~is_near(least, self.speck[level]))
+        until = np.full(len(times), np.inf).astype(times.dtype)
+        np.minimum.at(until, level[those], least[those] / np.abs(self.lead[level[those]]))
+        np.copyto(found, until, where=until < np.inf)
+        return found
+
     def begin(self, levels: Array, durations: Array) -> None:
         """Take a step in some levels, from where they are."""
-        those, order = levels[self.level], self.layout.order
+        those, layout = levels[self.level], part_of(self.layout, levels & self.plain)
         np.copyto(self.begun, self.left, where=those)
         np.copyto(self.rate, 0, where=those)
         self.ahead[levels], self.gone[levels] = -1, 0
-        far, fits = self.furthest(self.left, durations)
-        rate, straight = self.straight(far, durations)
+        far, fits = self.furthest(layout, self.left, durations)
+        rate, straight = self.straight(layout, far, durations)
         self.fits[levels], straight = fits[levels], levels & fits & straight
         self.ahead[straight] = self.gone[straight] = durations[straight]
-        goes, once = straight[self.layout.level], (levels & fits & ~straight)[self.layout.level]
-        self.rate[order[goes]] = rate[goes]
-        self.begun[order[once]] += far[once]
+        goes, once = straight[layout.level], (levels & fits & ~straight)[layout.level]
+        self.rate[layout.order[goes]] = rate[goes]
+        self.begun[layout.order[once]] += far[once]
         changed = [self.by_events(level, durations[level]) for level in np.flatnonzero(levels & ~fits).tolist()]
         if any(changed):
             self.layout = self.lay_out()
 
-    def furthest(self, lefts: Array, durations: Array) -> tuple[Array, Array]:
-        """How far each body of the layout goes from a place, to the right, and which levels that is so for."""
-        order = self.layout.order
+    def furthest(self, layout: Layout, lefts: Array, durations: Array) -> tuple[Array, Array]:
+        """How far each body of a layout goes from a place, to the right, and which levels that is so for."""
+        order = layout.order
         drives = Drives(self.drives.speed[order], self.drives.relative[order])
-        far, fits = furthest(self.layout, lefts[order], drives, durations, self.slack)
+        far, fits = furthest(layout, lefts[order], drives, durations, self.slack)
         return far, fits & self.plain
 
-    def straight(self, far: Array, durations: Array) -> tuple[Array, Array]:
-        """The speeds of the bodies of the layout that come so far, and in which levels all keep theirs for the time.
+    def straight(self, layout: Layout, far: Array, durations: Array) -> tuple[Array, Array]:
+        """The speeds of the bodies of a layout that come so far, and in which levels all keep theirs for the time.
 
         Where there is a closed form, all speeds are 0 or that of who is driven. So who comes as far as that leads has
         had it all the time, and who comes nowhere has stood; in floats, but for roundings, which are to be fewer.
         """
-        level, whole = self.layout.level, self.lead * durations
+        level, whole = layout.level, self.lead * durations
         result = ~is_near(whole, self.speck * 2) | ~moves(self.lead)
         speck, goes = self.speck[level], ~is_near(far, self.speck[level])
         result[level[goes & ~is_near(far - whole[level], speck)]] = False

@@ -173,14 +173,14 @@ def test_tick_after_tick_levels_are_where_events_lead_in_exact_numbers():
     assert ticks_agree(outings(40), 8)
 
 
-def all_straight(batch, far, durations, right=Batch.straight):
+def all_straight(batch, layout, far, durations, right=Batch.straight):
     """As if all kept their speeds all the time."""
-    return right(batch, far, durations)[0], np.ones(len(durations), bool)
+    return right(batch, layout, far, durations)[0], np.ones(len(durations), bool)
 
 
-def goes_on(batch, levels, times):
+def goes_on(batch, levels):
     """As if nothing came any more."""
-    batch.ahead[levels] = times[levels]
+    batch.ahead[levels] = 1000
     return levels
 
 
