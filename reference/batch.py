@@ -41,7 +41,7 @@ from reference.stepping import run
 from reference.storeys import Place, StoreyWorld
 from spec.graph import Direction
 from spec.number import greater, lesser
-from spec.rules.step import StepRules
+from spec.rules.step import StepRules, step
 from spec.storeys import Drive, Interval
 
 Array = NDArray[Any]
@@ -480,24 +480,30 @@ class Batch:
 
         It is tried for a longer time, and then until the closed form of that lets somebody stop, or set off.
         """
-        layout, times = part_of(self.layout, levels & self.plain & self.fits), self.gone * LONGER
-        far, fits = self.furthest(layout, self.begun, times)
-        _, straight = self.straight(layout, far, times)
-        found: Array = levels & self.fits & fits & straight
-        self.ahead[found] = times[found]
-        return found | self.go_on_until(levels & ~found, self.sooner(layout, far, times))
-
-    def go_on_until(self, levels: Array, times: Array) -> Array:
-        """Let those of some levels go on in which nothing comes before a time; return which they are."""
-        layout = part_of(self.layout, levels & self.plain & self.fits)
-        far, fits = self.furthest(layout, self.begun, times)
-        _, straight = self.straight(layout, far, times)
-        straight &= fits & (times >= self.gone)
-        by_rules = np.flatnonzero(levels & ~self.fits).tolist()
-        straight[by_rules] = [self.run(level, self.begun, times[level])[1] is not None for level in by_rules]
-        found: Array = levels & straight
-        self.ahead[found] = times[found]
+        found, sooner = self.kept(levels & self.fits, self.gone * LONGER)
+        again, _ = self.kept(levels & self.fits & ~found, sooner)
+        by_rules = [level for level in np.flatnonzero(levels & ~self.fits).tolist() if self.kept_by_rules(level)]
+        found |= again
+        found[by_rules] = True
         return found
+
+    def kept(self, levels: Array, times: Array) -> tuple[Array, Array]:
+        """In which of some levels all keep their speeds for a time, and sooner times for the others."""
+        layout = part_of(self.layout, levels & self.plain)
+        far, fits = self.furthest(layout, self.begun, times)
+        _, straight = self.straight(layout, far, times)
+        found: Array = levels & fits & straight & (times >= self.gone)
+        self.ahead[found] = times[found]
+        return found, self.sooner(layout, far, times)
+
+    def kept_by_rules(self, level: int) -> bool:
+        """Whether nothing comes in a level now by the rules; half the time until something does, it will not either."""
+        longer = self.gone[level] * LONGER
+        moment = next(step(self.rules, self.at(level, self.begun), self.drives_of(level), longer))
+        if moment.moved <= self.gone[level]:
+            return False
+        self.ahead[level] = (self.gone[level] + moment.moved) / 2
+        return True
 
     def sooner(self, layout: Layout, far: Array, times: Array) -> Array:
         """For each level a time in which somebody of the layout, that comes so far in another, has stopped or set off.
@@ -550,7 +556,7 @@ class Batch:
 
     def by_events(self, level: int, duration: Any) -> bool:
         """Drive the bodies of a level from event to event; whether any stands otherwise then."""
-        those, (world, rates) = self.bodies(level), self.run(level, self.left, duration)
+        those, (world, rates) = self.bodies(level), self.run(level, duration)
         if rates is not None:
             self.rate[those], self.ahead[level], self.gone[level] = rates, duration, duration
             return False
@@ -561,17 +567,21 @@ class Batch:
         self.standing[level] = now
         return not (np.array_equal(before.kinds, now.kinds) and np.array_equal(before.edges, now.edges))
 
-    def run(self, level: int, lefts: Array, duration: Any) -> tuple[StoreyWorld[Any], list[Any] | None]:
-        """A level after a time, from event to event, and the speeds of its bodies if nothing comes in it.
+    def run(self, level: int, duration: Any) -> tuple[StoreyWorld[Any], list[Any] | None]:
+        """A level after a time, from event to event, and the speeds of its bodies if nothing comes until that is over.
 
         On a ring these tell nothing: who comes round begins anew.
         """
-        world, those = self.at(level, lefts), self.bodies(level)
-        drives = map(Drive, self.drives.speed[those].tolist(), self.drives.relative[those].tolist())
-        moments, _ = run(self.rules, world, dict(enumerate(drives)), duration)
+        world = self.world(level)
+        moments, _ = run(self.rules, world, self.drives_of(level), duration)
         if world.circumference is not None or len(moments) > 1 or moments[0].events or moments[0].changes:
             return world, None
         return world, [moments[0].velocities[body] for body in range(len(world.places))]
+
+    def drives_of(self, level: int) -> dict[int, Drive[Any]]:
+        """The drives of the bodies of a level."""
+        those = self.bodies(level)
+        return dict(enumerate(map(Drive, self.drives.speed[those].tolist(), self.drives.relative[those].tolist())))
 
 
 def is_near(values: Array, far: Array) -> Array:

@@ -191,18 +191,28 @@ def not_heard(batch, drives, right=Batch.drive):
     batch.ahead = ahead
 
 
-def always_straight(batch, level, lefts, duration, right=Batch.run):
+def always_straight(batch, level, duration, right=Batch.run):
     """As if nothing came in steps without a closed form."""
-    world, rates = right(batch, level, lefts, duration)
-    moved = [
-        (now.left - left) / (duration or 1) for now, left in zip(world.places, lefts[batch.bodies(level)], strict=True)
-    ]
-    return world, rates or moved
+    before = lefts(batch.world(level))
+    world, rates = right(batch, level, duration)
+    return world, rates or [(now - left) / (duration or 1) for now, left in zip(lefts(world), before, strict=True)]
+
+
+def always_kept(batch, level):
+    """As if, without a closed form, nothing came any more."""
+    batch.ahead[level] = 1000
+    return True
 
 
 @pytest.mark.parametrize(
     ("name", "wrong"),
-    [("straight", all_straight), ("go_on", goes_on), ("drive", not_heard), ("run", always_straight)],
+    [
+        ("straight", all_straight),
+        ("go_on", goes_on),
+        ("drive", not_heard),
+        ("run", always_straight),
+        ("kept_by_rules", always_kept),
+    ],
 )
 def test_a_batch_that_goes_on_wrongly_is_not_where_events_lead(monkeypatch, name, wrong):
     monkeypatch.setattr(Batch, name, wrong)
