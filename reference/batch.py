@@ -499,12 +499,15 @@ class Batch:
         return found, self.sooner(layout, far, times)
 
     def kept_by_rules(self, level: int) -> bool:
-        """Whether nothing comes in a level now by the rules; half the time until something does, it will not either."""
+        """Whether nothing comes in a level now by the rules; nor does it before the first event.
+
+        If somebody settles at that, it is looked at again half the time before: a step may end just then.
+        """
         longer = self.gone[level] * LONGER
         moment = next(step(self.rules, self.at(level, self.begun), self.drives_of(level), longer))
         if moment.moved <= self.gone[level]:
             return False
-        self.ahead[level] = (self.gone[level] + moment.moved) / 2
+        self.ahead[level] = (self.gone[level] + moment.moved) / 2 if moment.changes else moment.moved
         return True
 
     def sooner(self, layout: Layout, far: Array, times: Array) -> Array:

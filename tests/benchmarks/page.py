@@ -289,8 +289,9 @@ def closed_forms(measured: list[Measured]) -> Figures:
     pushed = min(item.about["share"] for item in measured if item.group != "random levels" and "share" in item.about)
     rows = [("rows and stacks", f"{pushed:.0%}"), ("random levels", f"{random.about['share']:.0%}")]
     text = (
-        "All other steps of a batch go from event to event. Random levels are lines of up to eight bodies, with pits "
-        "and riders, where any number of bodies is driven, to both sides. A batch of them takes "
+        "All other steps of a batch go from event to event, or on as they do while none comes. Random levels are lines "
+        "of up to eight bodies, with pits and riders, where any number of bodies is driven, to both sides. A batch of "
+        "them takes "
         f"{number(micro(random))} microseconds a step."
     )
     return Figures("How often a batch has a closed form", text, ("levels", "steps with a closed form"), rows)
