@@ -51,11 +51,11 @@ ledger: $(READY) ## print what every verdict rests on, with the spread of the so
 
 .PHONY: test
 test: $(READY) ## run the tests, but for the slow ones
-	@$(BIN)/pytest -n 2 -m 'not slow'
+	@$(BIN)/pytest -n 2 --dist worksteal -m 'not slow'
 
 .PHONY: test-long
 test-long: $(READY) ## run the slow tests
-	@$(BIN)/pytest -n 2 -m slow
+	@$(BIN)/pytest -n 2 --dist worksteal -m slow
 
 .PHONY: independent
 independent: $(READY) ## compare the reference with a second program, on LEVELS random levels, 10,500 if not said

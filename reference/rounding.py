@@ -27,8 +27,12 @@ def tolerance(numbers: Precision, level: Level[Fraction], *distances: Fraction, 
 
     Under `repaired` it is as often as makes up for what spreads. It is never more than a part of the margin.
     """
-    rounding = UNIT_ROUNDOFF[numbers] * max([largest(level), *distances])
-    return min(level.margin / PART, rounding * ROUNDINGS * walks)
+    return min(level.margin / PART, rounding(numbers, level, *distances) * ROUNDINGS * walks)
+
+
+def rounding(numbers: Precision, level: Level[Fraction], *distances: Fraction) -> Fraction:
+    """The largest error of one sum on a level, in which distances are asked."""
+    return UNIT_ROUNDOFF[numbers] * max([largest(level), *distances])
 
 
 def largest(level: Level[Fraction]) -> Fraction:

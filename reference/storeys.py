@@ -267,13 +267,29 @@ class StoreyWorld(Generic[N]):
         )
 
     def tops(self, body: int) -> Sequence[int]:
-        """The bodies one storey below whose tops would hold a body, from left to right."""
+        """The bodies one storey below whose tops would hold a body, from left to right.
+
+        One that would hold a body on both its sides, round a ring, is there twice.
+        """
         below = [other for other in self.rows.get(self.places[body].storey - 1, ()) if self.carries(other, body)]
-        return sorted(below, key=lambda other: self.offset(body, other) * -1)
+        held = [(offset, other) for other in below for offset in self.offsets(body, other)]
+        return [other for _, other in sorted(held, key=lambda one: one[0] * -1)]
+
+    def offsets(self, body: int, below: int) -> Iterator[N]:
+        """The offset of a body that another holds; on a ring also that the other way round, if it is held there too."""
+        offset, round_ = self.offset(body, below), self.terrain.circumference
+        yield offset
+        for by in [] if round_ is None else [round_ * -1, round_]:
+            if self.overlap_at(offset + by, body, below) + self.margin > zero_like(offset):
+                yield offset + by
 
     def overlap(self, body: int, below: int) -> N:
         """How much of a body is over another; less than 0 beside it."""
-        offset, width = self.offset(body, below), self.places[below].width
+        return self.overlap_at(self.offset(body, below), body, below)
+
+    def overlap_at(self, offset: N, body: int, below: int) -> N:
+        """How much of a body is over another if its left border is so far to the right of that of the other."""
+        width = self.places[below].width
         return lesser(offset + self.places[body].width, width) - greater(offset, zero_like(offset))
 
     def advance(self, body: int, distance: N) -> None:

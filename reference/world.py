@@ -303,11 +303,21 @@ class World(Generic[N]):
         return distance + circumference if distance * 2 < zero_like(distance) - circumference else distance
 
     def straight(self, held: Body[N]) -> bool:
-        """Whether the ground under a body has one slope."""
-        if held.left.edge == held.right.edge:
+        """Whether the ground under a body has one slope, all of it."""
+        row = self.row_of_edge[held.left.edge]
+        if held.left.edge == held.right.edge and (not row.closed or held.left.location < held.right.location):
             return True
-        left, right = self.graph.edges[held.left.edge], self.graph.edges[held.right.edge]
-        return bool(left.run == right.run and left.rise == right.rise)
+        first, *others = self.ground_under(held, row)
+        return all(bool(edge.run == first.run and edge.rise == first.rise) for edge in others)
+
+    def ground_under(self, held: Body[N], row: Row[N]) -> list[Edge[N]]:
+        """The ground edges under a body across a vertex of a string, from that of one border to that of the other."""
+        first, last = (row.edges.index(at.edge) for at in (held.left, held.right))
+        if row.closed and last <= first:
+            under = row.edges[first:] + row.edges[: last + 1]
+        else:
+            under = row.edges[min(first, last) : max(first, last) + 1]
+        return [self.graph.edges[edge] for edge in under]
 
     def put(self, body: int, left: EdgePosition[N], right: EdgePosition[N]) -> None:
         """Put a body where it is to be; on another string it takes its place in the order there."""
@@ -421,13 +431,13 @@ class Facing(Generic[N]):
         return bool(rise < zero_like(rise))
 
     def foot(self, at: EdgePosition[N]) -> EdgePosition[N] | None:
-        """The beginning of the ground edge after the fall edge, or after several of them."""
-        fall = self.look_up(at.edge, EdgeType.FALL)
+        """The beginning of the ground edge after the fall edge, or after several of them, all of which lead down."""
+        fall = self.fall_edge(at.edge)
         while fall is not None:
             ground = self.look_up(fall, EdgeType.GROUND)
             if ground is not None:
                 return self.tip(ground, self.direction.opposite)
-            fall = self.look_up(fall, EdgeType.FALL)
+            fall = self.fall_edge(fall)
         return None
 
     def ahead(self, body: int, front: EdgePosition[N]) -> int | None:

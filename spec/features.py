@@ -156,7 +156,9 @@ COLLISIONS = Feature(
     "Bodies collide. Without, they walk through each other, and do not jump onto each other.",
     "8, 8.0.1; E8, R3",
     without_collisions,
-    frozenset({"invariant/plane-apart", "invariant/plane-margin", "unsupported/fall-onto-middle"}),
+    frozenset(
+        {"invariant/no-overlap", "invariant/plane-apart", "invariant/plane-margin", "unsupported/fall-onto-middle"}
+    ),
 )
 WIDTH = Feature(
     "feature/width",

@@ -185,9 +185,10 @@ OF_STOREYS: tuple[Model, ...] = (
         "that has lost its support, or whose support is no longer one storey below it, looks for another by the rules "
         "settle/...: ground first, then a top, and where there is none it falls and looks again from the storey "
         "below. A support that it has moved off at this instant does not count, be it ground or a top; one that has "
-        "fallen counts where it is again one storey below. Its motion is its velocity less that of the support it "
-        "lost, both as they were up to now; at the beginning of a step it is 0. Settling takes no time. Whoever falls "
-        "between others is nowhere nearer to them than the margin: one that was would hold it (model/holds).",
+        "fallen counts where it is again one storey below. On a cylinder a top that would hold it on both its sides "
+        "counts on both. Its motion is its velocity less that of the support it lost, both as they were up to now; at "
+        "the beginning of a step it is 0. Settling takes no time. Whoever falls between others is nowhere nearer to "
+        "them than the margin: one that was would hold it (model/holds).",
         "6.2.1d, 6.2.1e; R21, R22, R23, A4, A28, A48, P8",
         "repaired-support-falls",
     ),

@@ -62,21 +62,12 @@ MENDED = VelocityRules(
 
 
 @dataclass(frozen=True)
-class Profile:
-    """The rules of movement under one set of readings. A request moves one body, and what it pushes.
-
-    `without` are the features that it does not have, and `widths` those that bodies may have.
-    """
+class Named:
+    """What any profile is called, says and comes from."""
 
     name: str
     sentence: str
     source: str
-    rules: Rules
-    push_limit: Callable[[int], int]
-    tick_order: Callable[[Sequence[str]], Sequence[str]]
-    velocity: VelocityRules
-    without: tuple[Feature, ...] = ()
-    widths: Widths = WIDE
 
     kind = "profile"
 
@@ -84,6 +75,26 @@ class Profile:
     def id(self) -> str:
         """Its name as an ID."""
         return f"profile/{self.name}"
+
+    @property
+    def not_asked(self) -> frozenset[str]:
+        """The IDs of invariants and unsupported cases that mean nothing under it."""
+        return frozenset()
+
+
+@dataclass(frozen=True)
+class Profile(Named):
+    """The rules of movement under one set of readings. A request moves one body, and what it pushes.
+
+    `without` are the features that it does not have, and `widths` those that bodies may have.
+    """
+
+    rules: Rules
+    push_limit: Callable[[int], int]
+    tick_order: Callable[[Sequence[str]], Sequence[str]]
+    velocity: VelocityRules
+    without: tuple[Feature, ...] = ()
+    widths: Widths = WIDE
 
     @property
     def not_asked(self) -> frozenset[str]:
@@ -157,21 +168,11 @@ OVERSHOOT_WITHOUT: tuple[Profile, ...] = tuple(
 
 
 @dataclass(frozen=True)
-class SteppedProfile:
+class SteppedProfile(Named):
     """Rules of movement in which all bodies move at once, from event to event."""
 
-    name: str
-    sentence: str
-    source: str
     rules: StepRules
     velocity: VelocityRules
-
-    kind = "profile"
-
-    @property
-    def id(self) -> str:
-        """Its name as an ID."""
-        return f"profile/{self.name}"
 
 
 REPAIRED = SteppedProfile(

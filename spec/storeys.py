@@ -113,7 +113,9 @@ class Storeys(Protocol[N]):
         """Whether a body is over the ground of its storey."""
 
     def tops(self, body: int, /) -> Sequence[int]:
-        """The bodies one storey below whose tops would hold a body, from left to right."""
+        """The bodies one storey below whose tops would hold a body, from left to right; one that would hold it on both
+        its sides, round a ring, is there twice.
+        """
 
     def overlap(self, body: int, below: int, /) -> N:
         """How much of a body is over another; less than 0 beside it."""

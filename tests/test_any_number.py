@@ -9,6 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 import pytest
+from library import first_step
 from test_steps import with_effect
 
 from properties.claims.repaired import (
@@ -30,7 +31,7 @@ from properties.contracts.request import judged
 from properties.engine.explore import explore
 from properties.evidence.courses import drive
 from reference import batch
-from reference.storeys import Place, StoreyWorld, Terrain
+from reference.storeys import StoreyWorld
 from spec.conditions import Condition
 from spec.graph import Direction
 from spec.profiles import REPAIRED
@@ -38,7 +39,7 @@ from spec.rule import Family
 from spec.rules import step
 from spec.rules.row import full_speed, its_own, no_speed, stands_still, standstill, takes_part, the_same
 from spec.rules.settle import Found, front_most
-from spec.storeys import Contact, Drive, Interval, Seat
+from spec.storeys import Contact, Seat
 
 RESTS = {
     obligation.id: obligation
@@ -62,6 +63,11 @@ class Fault(NamedTuple):
     effect: Callable
     obligation: str
     says: str
+
+    def told_by(self, obligations):
+        """Whether its obligation, one of these, is broken as it says."""
+        wrong = with_effect(self.field, self.rule, self.effect)
+        return self.says in broken(obligations[self.obligation], wrong)
 
 
 FAULTS = {
@@ -136,7 +142,7 @@ FAULTS |= {
 
 @pytest.mark.parametrize("fault", FAULTS.values(), ids=FAULTS)
 def test_a_wrong_rule_is_refuted_with_values(fault):
-    assert fault.says in broken(RESTS[fault.obligation], with_effect(fault.field, fault.rule, fault.effect))
+    assert fault.told_by(RESTS)
 
 
 def test_a_step_that_goes_on_too_long_or_records_wrongly_is_refuted(monkeypatch):
@@ -218,28 +224,18 @@ def test_a_closed_form_that_counts_rooms_from_the_wrong_side_is_refuted(monkeypa
 
 
 def test_a_wall_between_supports_leaves_who_was_pushed_ahead_of_the_closed_form():
-    one = Fraction(1)
-    places = (
-        Place(0, 0 * one, 8 * one, None),
-        Place(0, 12 * one, 8 * one, None),
-        Place(1, 1 * one, 6 * one, 0),
-        Place(1, 11 * one, 8 * one, 1),
-        Place(2, 3 * one, 6 * one, 2),
-        Place(2, 10 * one, 6 * one, 3),
-    )
-    terrain = Terrain(((), (Interval(9 * one, 10 * one),)), Interval(-10 * one, 60 * one))
-    world = StoreyWorld(terrain, one, places)
-    drives = {body: Drive(one if body == 0 else 0 * one) for body in range(6)}
-    course = drive(REPAIRED.rules, world, drives, 5 * one, 0 * one)
-    assert [course.after.support(body) for body in range(6)] == [place.support for place in places]
-    assert course.after.span(5).left - places[5].left == 4
-    assert furthest(world, drives, 5 * one)[5] == 2
+    world, drives, duration = first_step("repaired-wall-between-supports")
+    places, ahead = list(world.places), len(world.places) - 1
+    course = drive(REPAIRED.rules, world, drives, duration, Fraction(0))
+    assert [place.support for place in course.after.places] == [place.support for place in places]
+    assert course.after.span(ahead).left - places[ahead].left == 4
+    assert furthest(world, drives, duration)[ahead] == 2
     assert not supports_in_one_row(world)
 
 
 def test_another_number_of_instants_than_that_of_bounces_is_noticed():
     free = with_effect("meet", "row/squeezed", takes_part)
-    with pytest.raises(AssertionError, match="halvings"):
+    with pytest.raises(AssertionError, match="quarterings"):
         bounces.instants_have_no_bound(free)
 
 
@@ -267,3 +263,14 @@ def test_rows_are_of_bodies_whose_contacts_are_recorded(bodies):
             Contact(row[-1], row[0]) for row in closed
         }
         assert bool(closed) == (bool(pairs) and all(touch))
+
+
+def test_a_world_in_which_only_the_nearer_end_of_a_top_counts_is_refuted(monkeypatch):
+    one = next(one for one in SETTLED if one.id.startswith("stretches/tops-are-in-order"))
+    outcome = explore(lambda given: judged(one.program, REPAIRED, given))
+    assert outcome.exhaustive
+    assert outcome.counterexample is None
+    monkeypatch.setattr(StoreyWorld, "offsets", lambda world, body, below: [world.offset(body, below)])
+    outcome = explore(lambda given: judged(one.program, REPAIRED, given))
+    assert outcome.counterexample is not None
+    assert "nobody is further" in outcome.counterexample.broken

@@ -2,9 +2,11 @@
 
 from dataclasses import replace
 from fractions import Fraction
+from functools import cache
 
 import numpy as np
 import pytest
+from library import first_step
 
 from properties.claims.repaired import BATCHES, GOING_ON
 from properties.closed_form import by_batch
@@ -64,29 +66,17 @@ def outings(many, first=0):
     return [one for one in made if one.places]
 
 
-OVER_A_WALL = line(
-    30,
-    ((), solid((5, Fraction(11, 2)))),
-    (0, 0, 6, None),
-    (0, Fraction(33, 4), 5, None),
-    (1, 2, Fraction(5, 2), 0),
-    (1, 6, 5, 1),
-    (2, 3, 2, 2),
-    (2, Fraction(21, 4), 2, 3),
-)
+OVER_A_WALL, ABOVE, TIME = first_step("repaired-wall-between-supports")
 """One rider is stopped by a wall before the next one sets off, and what they carry is in contact above that wall."""
-
-ABOVE = (Drive(Fraction(1), relative=False), *[STILL] * 5)
 
 
 def test_a_row_above_a_wall_that_stops_one_support_before_the_other_begins_has_no_closed_form():
-    drives = dict(enumerate(ABOVE))
-    moved = by_events(OVER_A_WALL, drives, Fraction(4)).places[5].left - OVER_A_WALL.places[5].left
-    assert moved == Fraction(5, 2)
-    assert by_batch(OVER_A_WALL, drives, Fraction(4)) is None
-    assert by_batch(mirrored(OVER_A_WALL), backwards(drives), Fraction(4)) is None
+    moved = by_events(OVER_A_WALL, ABOVE, TIME).places[5].left - OVER_A_WALL.places[5].left
+    assert moved == 4
+    assert by_batch(OVER_A_WALL, ABOVE, TIME) is None
+    assert by_batch(mirrored(OVER_A_WALL), backwards(ABOVE), TIME) is None
     quarter = Fraction(1, 4)
-    assert by_batch(OVER_A_WALL, drives, quarter) == {0: quarter, 1: 0, 2: quarter, 3: 0, 4: quarter, 5: quarter}
+    assert by_batch(OVER_A_WALL, ABOVE, quarter) == {0: quarter, 1: 0, 2: quarter, 3: 0, 4: quarter, 5: quarter}
 
 
 def test_several_that_walk_at_one_speed_have_a_closed_form_and_two_speeds_have_none():
@@ -291,14 +281,22 @@ WRONG = {
 }
 
 
+@cache
+def with_courses():
+    """Some outings, each with its course, of which the batch knows where it leads."""
+    places, drives = tuple(OVER_A_WALL.places), tuple(ABOVE.values())
+    above = Outing(OVER_A_WALL.terrain, OVER_A_WALL.margin, places, drives, TIME, ZERO, ())
+    made = [*outings(150), above]
+    found = [(one, drive(REPAIRED.rules, one.world(), one.drives_by_body, one.duration, ZERO)) for one in made]
+    assert all(one_way_alike(REPAIRED.rules, *pair) for pair in found)
+    return found
+
+
 @pytest.mark.parametrize("name", WRONG)
 def test_a_wrong_batch_is_not_where_events_lead(monkeypatch, name):
-    above = Outing(OVER_A_WALL.terrain, OVER_A_WALL.margin, tuple(OVER_A_WALL.places), ABOVE, Fraction(4), ZERO, ())
-    made = [*outings(150), above]
-    courses = [drive(REPAIRED.rules, one.world(), one.drives_by_body, one.duration, ZERO) for one in made]
-    assert all(one_way_alike(REPAIRED.rules, *pair) for pair in zip(made, courses, strict=True))
+    found = with_courses()
     monkeypatch.setattr(batches, name, WRONG[name])
-    assert not all(one_way_alike(REPAIRED.rules, *pair) for pair in zip(made, courses, strict=True))
+    assert not all(one_way_alike(REPAIRED.rules, *pair) for pair in found)
 
 
 def test_a_wrong_batch_is_refuted(monkeypatch):

@@ -6,22 +6,23 @@ import sys
 from pathlib import Path
 
 import pytest
+from command import graphbody
 
 GRAPHBODY = str(Path(sys.executable).parent / "graphbody")
 SCENARIO = str(Path(__file__).parents[1] / "reference" / "scenarios" / "push-into-wall.json")
 
 
-def graphbody(*arguments, cwd):
-    """Run the command in a directory."""
+def started(*arguments, cwd):
+    """Start the command, as it is installed, in a directory."""
     return subprocess.run([GRAPHBODY, *arguments], cwd=cwd, capture_output=True, text=True, check=False)
 
 
 def test_one_claim_is_checked_and_nothing_else_is_written(tmp_path):
-    done = graphbody("check", "neighbours-not-twice", cwd=tmp_path)
+    done = started("check", "neighbours-not-twice", cwd=tmp_path)
     assert done.returncode == 0, done.stderr
     assert "refuted" in done.stdout
     assert not (tmp_path / "build" / "results.json").exists()
-    replay = graphbody("simulate", "build/witnesses/neighbours-not-twice.json", cwd=tmp_path)
+    replay = started("simulate", "build/witnesses/neighbours-not-twice.json", cwd=tmp_path)
     assert replay.returncode == 0, replay.stderr
 
 

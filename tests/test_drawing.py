@@ -1,14 +1,13 @@
 """Drawings: well-formed whatever the names, the same each time, for levels, scenarios and traces; and the sketch."""
 
 import json
-import subprocess
-import sys
+from functools import cache
 from itertools import islice
-from pathlib import Path
 from xml.etree.ElementTree import fromstring
 
 import msgspec
 import pytest
+from command import graphbody
 
 from properties.drawings import Undrawable, drawn
 from properties.sketch import sketch
@@ -17,15 +16,10 @@ from reference.formats.files import FormatError
 from reference.play import LIBRARY, library
 from reference.recording import recording
 
-GRAPHBODY = str(Path(sys.executable).parent / "graphbody")
 SVG = "{http://www.w3.org/2000/svg}"
 HOSTILE = ["<script>alert(1)</script>", "\"'&amp;", "\x00\x1b[31m\n", "\u202e\ufffe\u65e5\u672c", " ", "x" * 100]
 SOME = [path for path in library() if path.stem in ("hill", "stack-at-the-seam", "rider-over-a-fall-overshoot")]
 MOST = 12
-
-
-def graphbody(*arguments, cwd):
-    return subprocess.run([GRAPHBODY, *map(str, arguments)], cwd=cwd, capture_output=True, text=True, check=False)
 
 
 def drawing(path, to_a_page=6):
@@ -68,9 +62,15 @@ def trace_of(path):
     return [json.loads(msgspec.json.encode(line)) for line in (found.header, *found.lines)]
 
 
+@cache
+def first_moments(path):
+    """The first moments of a scenario."""
+    return list(islice(frames(recording(path)), MOST))
+
+
 @pytest.mark.parametrize("path", library(), ids=lambda path: path.stem)
 def test_every_scenario_has_a_picture_of_its_start_and_of_each_step(path):
-    moments = list(islice(frames(recording(path)), MOST))
+    moments = first_moments(path)
     nodes = [node for page in pages(recording(path), 6, 0, MOST - 1) for node in fromstring(page).iter()]
     captions = [node.text for node in nodes if node.get("class") == "caption"]
     assert sum(text == "Start" or text.split(".")[0].isdigit() for text in captions) == len(moments)
@@ -81,7 +81,7 @@ def test_every_scenario_has_a_picture_of_its_start_and_of_each_step(path):
 
 @pytest.mark.parametrize("path", library(), ids=lambda path: path.stem)
 def test_every_scenario_has_a_sketch_of_few_columns_in_ascii(path):
-    for moment in islice(frames(recording(path)), MOST):
+    for moment in first_moments(path):
         lines = list(sketch(moment.world, moment.asked()))
         assert all(len(line) <= 78 and line.isascii() and line.isprintable() for line in lines)
         assert len(lines) <= 22

@@ -6,11 +6,10 @@ from copy import deepcopy
 from itertools import islice
 
 import pytest
+from command import graphbody
 from hypothesis import HealthCheck, given, seed, settings, strategies as st
 from jsonschema import Draft202012Validator
-from typer.testing import CliRunner
 
-from properties.cli import app
 from properties.evidence.sample import SEED
 from properties.schemas import schema
 from reference.formats.files import FormatError
@@ -41,7 +40,9 @@ TEXTS = ["A", "B", "C", "", "\x00\n", "\ud800", "x" * 200, "graphbody/level@1", 
 NUMBERS = ["0", "3/2", "-1", "0.25", "1/0", "9" * 90, "9" * 999, "1/" + "7" * 90, "NaN", "1e400", "0x1", "١"]
 VALUES = [None, True, 0, 1, 2, -1, 0.1, -0.0, 5e-324, 1.7e308, 2**63, 2**64, 10**99, 10**400, [], {}, [[]], {"a": 1}]
 HOSTILE = st.sampled_from(TEXTS + NUMBERS + VALUES + [float("inf"), float("nan")])
-RUNS = settings(max_examples=350, deadline=None, database=None, suppress_health_check=list(HealthCheck))
+RUNS = settings(deadline=None, database=None, suppress_health_check=list(HealthCheck))
+FILES = [pytest.param(many, marks=pytest.mark.slow) if many > 100 else many for many in (100, 350)]
+"""How many files are tried: all of them among the slow tests only."""
 
 
 def documents(kind):
@@ -130,7 +131,7 @@ def lines(*documents):
 
 def trace_of(path, floats=False):
     """The trace of a scenario, as the command line prints it."""
-    done = CliRunner().invoke(app, ["simulate", str(path), "--json", *(["--floats"] if floats else [])])
+    done = graphbody("simulate", path, "--json", *(["--floats"] if floats else []))
     return [json.loads(line) for line in done.stdout.splitlines()]
 
 
@@ -164,12 +165,13 @@ def lead_in(path):
     return None
 
 
+@pytest.mark.parametrize("many", FILES)
 @pytest.mark.parametrize("kind", [*PLAYED, "trace"])
-def test_documents_made_from_the_schemas(tmp_path, kind):
+def test_documents_made_from_the_schemas(tmp_path, kind, many):
     accepted = []
 
     @seed(SEED)
-    @RUNS
+    @settings(RUNS, max_examples=many)
     @given(documents(kind))
     def each(found):
         accepted.append(outcome(tmp_path / f"{kind}.json", lines(*found)))
@@ -185,12 +187,13 @@ GOOD = {
 }
 
 
+@pytest.mark.parametrize("many", FILES)
 @pytest.mark.parametrize("kind", GOOD)
-def test_good_documents_with_a_few_places_spoiled(tmp_path, kind):
+def test_good_documents_with_a_few_places_spoiled(tmp_path, kind, many):
     accepted = []
 
     @seed(SEED)
-    @RUNS
+    @settings(RUNS, max_examples=many)
     @given(st.data())
     def each(data):
         found = list(data.draw(st.sampled_from(GOOD[kind])))
@@ -202,10 +205,11 @@ def test_good_documents_with_a_few_places_spoiled(tmp_path, kind):
     assert 0.02 < sum(accepted) / len(accepted) < 0.9
 
 
+@pytest.mark.parametrize("many", FILES)
 @pytest.mark.parametrize("kind", GOOD)
-def test_good_files_cut_short_or_with_bytes_changed(tmp_path, kind):
+def test_good_files_cut_short_or_with_bytes_changed(tmp_path, kind, many):
     @seed(SEED)
-    @RUNS
+    @settings(RUNS, max_examples=many)
     @given(st.data())
     def each(data):
         content = bytearray(lines(*data.draw(st.sampled_from(GOOD[kind]))))
@@ -298,8 +302,8 @@ BAD_LEVELS = {
 def refusal(directory, *arguments):
     """The one line in which a command refuses bad input, having printed nothing and written nothing."""
     there = sorted(directory.iterdir())
-    done = CliRunner().invoke(app, [str(argument) for argument in arguments])
-    assert done.exit_code == 2
+    done = graphbody(*arguments)
+    assert done.returncode == 2
     assert done.stdout == ""
     assert done.stderr.startswith(f"graphbody: {directory}")
     assert done.stderr.count("\n") == 1
@@ -381,8 +385,8 @@ def test_a_bad_line_of_a_trace_is_refused_when_it_is_reached(tmp_path, path, val
     header, first, second, *_ = trace_of(written(tmp_path / "scenario.json", SCENARIO))
     last = json.dumps(changed(second, *path, to=value) if path else second)
     content = lines(header, first) + last[: -9 if not path else None].encode()
-    done = CliRunner().invoke(app, ["itf", str(written(tmp_path / "trace.jsonl", content))])
-    assert done.exit_code == 2
+    done = graphbody("itf", written(tmp_path / "trace.jsonl", content))
+    assert done.returncode == 2
     assert re.fullmatch(rf"graphbody: {tmp_path}/trace.jsonl:3: {expected}.*\n", done.stderr)
 
 

@@ -1,5 +1,7 @@
 """A second program, written from the texts of `repaired` alone, says of random levels what the reference says."""
 
+from fractions import Fraction
+
 import pytest
 from independent.__main__ import compared
 from independent.comparing import by_reference, difference
@@ -44,6 +46,23 @@ def test_over_no_top_the_nearest_holds(names, numerator, tmp_path):
     vertices = [["0", "1"], ["10", "1"], ["10", "0"], ["21/2", "0"], ["21/2", "1"], ["20", "1"]]
     level = {"vertices": vertices, "bodies": [bodies[name] for name in names]}
     assert differs(tmp_path, level, {"request": {"body": "S", "distance": "1"}}) is None
+
+
+@pytest.mark.parametrize("shift", range(0, 40, 5))
+def test_who_is_held_at_both_ends_takes_the_front_most_wherever_the_ring_is_cut_open(shift, tmp_path):
+    """D steps off C over A and B, which is as far behind it as ahead."""
+
+    def on_the_floor(name, *borders):
+        return body(name, {"edge": 0}, *(str((Fraction(border) + Fraction(shift, 8)) % 5) for border in borders))
+
+    bodies = [
+        on_the_floor("A", "5/2", "7/2"),
+        on_the_floor("B", "1/8", "15/8"),
+        body("C", {"top": "B"}, "3/8", "13/8"),
+        body("D", {"top": "C"}, "1", "4", speed="1"),
+    ]
+    level = {"margin": "1/4", "circumference": "5", "vertices": [["0", "0"]], "bodies": bodies}
+    assert differs(tmp_path, level, {"request": {"body": "D", "distance": "1"}}) is None
 
 
 def test_places_beyond_the_circumference_are_places_on_the_cylinder(tmp_path):

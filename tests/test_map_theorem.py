@@ -7,8 +7,10 @@ from itertools import combinations
 from random import Random
 
 import pytest
+import z3
 
-from properties.engine.survey import breaches, firsts
+from properties.engine.explore import solver_for_reals
+from properties.engine.survey import breaches, can_hold, firsts, largest
 from properties.map.sets import maximal, minimal, suffices, sufficient
 from properties.map.terrains import ONE, ZERO, Shape, in_guidelines, of_three, with_platforms, with_tilted_landings
 from properties.map.theorem import DROP, PART, PIT, contradicted, surveyed, two_at_a_drop
@@ -49,6 +51,14 @@ def test_the_breaches_of_a_shape_are_those_of_brute_force():
     known = [one.conditions for one in breaches(found, names)[PLANE_MARGIN.id]]
     compatible = [one for one in all_sets(names) if breached(found, one)]
     assert set(known) == set(maximal(compatible))
+
+
+@pytest.mark.parametrize("hint", [0, 1, 2])
+def test_which_set_is_grown_does_not_depend_on_the_model_that_the_solver_starts_from(hint):
+    number, solver = z3.Real("number"), solver_for_reals()
+    conditions = {"small": number < 1, "large": number > 2, "positive": number > 0}
+    assert can_hold(solver, [list(conditions.values())[hint]])
+    assert largest(solver, conditions) == {"large", "positive"}
 
 
 def breached(found, names):

@@ -6,6 +6,7 @@ import pytest
 
 from reference.formats.level import BodyRecord, LevelRecord, Position, level_of
 from reference.simulator import Game
+from spec.body import EdgePosition
 from spec.graph import Direction
 from spec.profiles import THESIS
 from spec.transform import in_floats
@@ -153,3 +154,22 @@ def test_a_rider_on_a_body_across_a_bend_at_the_seam_of_a_cylinder_is_above_it()
     )
     world = Game(THESIS, level_of(record)).world
     assert world.point(world.bodies[1].left) == (Fraction(309, 20), Fraction(23, 20))
+
+
+@pytest.mark.parametrize(
+    ("body", "round_"), [((0, 1, 3, 3), None), ((0, 4, 0, 3), "20")], ids=["over a hump", "nearly round"]
+)
+def test_a_top_ends_above_the_borders_also_where_the_ground_bends_between_them(body, round_):
+    hump = [(0, 0), (4, 0), (8, 3), (12, 0), *([] if round_ else [(16, 0)])]
+    world = game(hump, [("A", *body)], circumference=round_).world
+    (held,) = world.bodies
+    top = EdgePosition(world.statics, world.width(0))
+    assert world.point(top)[0] == world.unrolled(held)[0]
+    assert not world.straight(held)
+
+
+def test_who_falls_is_not_led_up_a_wall_that_begins_at_the_foot():
+    played = game([(0, 1), (3, 1), (3, 0), (3, 2), (6, 2)], [("A", 0, 1, 0, 2)])
+    event = played.request("A", Fraction(4))
+    assert at(played, "A")[0] == (0, 3)
+    assert [rule for _, rule in event.fired if rule.startswith("leave/")] == ["leave/nowhere"]

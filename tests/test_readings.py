@@ -92,9 +92,9 @@ def test_the_section_tells_of_every_alternative_and_its_links_lead_somewhere(fin
 
 
 def test_scenes_come_the_smallest_first_and_can_be_written():
-    sizes = [scene.size for scene in scenes()]
-    assert sizes == sorted(sizes)
-    assert any(scene.judged for scene in scenes())
+    sizes, judged = zip(*((scene.size, scene.judged) for scene in scenes()), strict=True)
+    assert list(sizes) == sorted(sizes)
+    assert any(judged)
 
 
 def falling():

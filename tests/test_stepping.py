@@ -8,6 +8,7 @@ from random import Random
 
 import msgspec
 import pytest
+from command import graphbody
 from independent.levels import scenario as scenario_of
 
 from properties.conformance.account import account
@@ -207,13 +208,9 @@ def test_lines_in_which_bodies_come_and_go_are_judged(tmp_path, floats):
 
 
 def test_a_body_that_finds_no_room_is_refused_before_anything_is_told(tmp_path, capsys):
-    from typer.testing import CliRunner
-
-    from properties.cli import app
-
     path = scenario(tmp_path, [drive(A="1"), come("5/2", "7/2", edge=0)])
-    ran = CliRunner().invoke(app, ["simulate", str(path)])
-    assert ran.exit_code == 2
+    ran = graphbody("simulate", path)
+    assert ran.returncode == 2
     assert not ran.stdout
     assert ran.stderr.count("\n") == 1
     assert "$.steps[1].add: 'Box' and 'Crate'" in ran.stderr
@@ -288,3 +285,21 @@ def test_where_nobody_is_driven_a_trace_has_no_moves_and_conforms(tmp_path):
     lines = trace(scenario(tmp_path, [{"tick": {"key": "left"}}, drive()], level))
     assert [line["moves"] for line in lines[1:]] == [[], []]
     assert validate(written(tmp_path, lines)).conforms
+
+
+def test_of_two_events_at_one_instant_either_may_come_first_in_floats(tmp_path):
+    """R, which rides C, comes to the wall as C ceases to hold it. In floats it comes there first, and stays on C."""
+    bodies = [
+        {"name": "Low", "left": {"edge": 0, "location": "0"}, "right": {"edge": 0, "location": "3/5"}},
+        {"name": "C", "left": {"edge": 0, "location": "4/5"}, "right": {"edge": 0, "location": "13/10"}},
+        {"name": "R", "left": {"top": "C", "location": "-2/5"}, "right": {"top": "C", "location": "1/5"}, "speed": "1"},
+    ]
+    level = {**LEVEL, "margin": "1/5", "vertices": [["0", "0"], ["23/10", "0"]], "bodies": bodies}
+    path = scenario(tmp_path, [drive("5/2", R="-1")], level)
+    exactly, nearly = (trace(path, floats)[1]["supports"]["R"] for floats in (False, True))
+    assert (exactly, nearly) == ("Low", "C")
+    lines = trace(path, floats=True)
+    assert validate(written(tmp_path, lines)).found == {Finding.ONE_OF_SEVERAL: 1}
+    for side in ("left", "right"):
+        lines[1]["bodies"][2][side]["location"] += 0.1
+    assert validate(written(tmp_path, lines)).found == {Finding.DIVERGES: 1}

@@ -506,7 +506,7 @@ def slides_on_storeys(seed):
 
 
 @pytest.mark.parametrize("floats", [False, True], ids=["exact", "floats"])
-@pytest.mark.parametrize("seed", range(30))
+@pytest.mark.parametrize("seed", [*range(10), *(pytest.param(seed, marks=pytest.mark.slow) for seed in range(10, 30))])
 def test_slides_on_random_storeys_keep_bodies_apart_and_conform(seed, floats, tmp_path):
     path = tmp_path / "slides.json"
     path.write_bytes(msgspec.json.encode(slides_on_storeys(seed)))

@@ -70,7 +70,6 @@ WALKS_ON = Setting("a walk on a walker", (Member(0, RIGHT), Member(1, FAST, 0)))
 SQUEEZE = Setting("a squeeze", (Member(0, RIGHT), Member(0, STILL), Member(0, LEFT)))
 THREE = Setting("a push of two", (Member(0, RIGHT), Member(0, STILL), Member(0, STILL)))
 NO_PUSH = Setting("one that may not push", (Member(0, FAST), Member(0, STILL, pushes=False), Member(0, LEFT)))
-RING_OF_THREE = Setting("a push of two on a ring", (Member(0, RIGHT), Member(0, STILL), Member(0, STILL)), ring=True)
 TOGETHER = Setting("two that walk together", (Member(0, RIGHT), Member(0, RIGHT)))
 TO_THE_LEFT = Setting("a push to the left", (Member(0, STILL), Member(0, LEFT)))
 PUSHED_OFF = Setting("a push off a ledge", (Member(1, RIGHT), Member(1, STILL)), (1,))
@@ -143,6 +142,7 @@ LOSSES = (
     Setting("two high up", (Member(2, STILL), Member(1, STILL)), (1, 1)),
     Setting("one on another that falls", (Member(2, STILL, 1), Member(1, STILL)), (1,)),
 )
+TWO_BELOW = Setting("one above two on a ring", (Member(1, STILL), Member(0, STILL), Member(0, STILL)), ring=True)
 FROM_START = (
     stretches.stretches_keep_apart,
     stretches.what_touches_is_recorded,
@@ -164,6 +164,7 @@ TIMES = (
 STRETCHES = (*CONTACTS, *TIMES, *(of_window(stretches.stretches_keep_apart, setting) for setting in WINDOWS))
 SETTLED = (
     *of_steps(instants.what_was_lost_is_not_looked_at),
+    of_window(stretches.tops_are_in_order, TWO_BELOW),
     *(of_window(stretches.settling_keeps_apart, setting) for setting in LOSSES),
 )
 ROWS = (
@@ -355,14 +356,21 @@ CLAIMS: tuple[Claim, ...] = (
     Claim(
         id="claim/whole-steps",
         family="steps",
-        sentence="Whole steps of small worlds, with riders, ledges and one that may not push, keep every invariant; of "
-        "some, the mirror image does the mirror image, and they may be cut in two.",
+        sentence="Whole steps of small worlds, with riders, ledges and one that may not push, keep every invariant, "
+        "and so does settling on two round a ring; of some, the mirror image does the mirror image, and they may be "
+        "cut in two.",
         source="6.2.1; R5, R20",
         about="invariants",
         profile=REPAIRED,
         premises=(START,),
         expected=BOUNDED,
-        obligations=(*WHOLE_STEPS, *LARGER_STEPS, *MIRRORED, *SPLIT),
+        obligations=(
+            *WHOLE_STEPS,
+            *LARGER_STEPS,
+            *MIRRORED,
+            *SPLIT,
+            of_window(stretches.settling_keeps_apart, TWO_BELOW),
+        ),
         long=True,
     ),
 )

@@ -5,10 +5,10 @@ Where numbers are known nearly, the exact outcome is tried first; then every way
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from itertools import groupby
+from itertools import cycle, groupby
 from math import ceil
 from typing import Any
 
@@ -17,7 +17,7 @@ from properties.conformance.judge import Difference, Expected, Finding, Judgemen
 from properties.conformance.log import ZERO, Request, Step, minima_moved
 from properties.conformance.minimise import with_bodies, without_needless
 from properties.conformance.said import as_json, of_the_moves, of_the_velocities
-from properties.conformance.spread import spread
+from properties.conformance.spread import Spread, spread
 from properties.engine.ties import TIES, Choices, Near, Ties, TooManyWays, every_way, value_of
 from reference.formats.files import FormatError
 from reference.formats.level import BodyRecord, LevelRecord, level_record, valid_level
@@ -27,7 +27,7 @@ from reference.formats.trace import EventRecord, LineRecord
 from reference.physics import left_to, set_off, with_motions
 from reference.plan import Plan, check_plan
 from reference.recording import Recording, event_record, events_of
-from reference.rounding import ROUNDINGS
+from reference.rounding import PART, ROUNDINGS, UNIT_ROUNDOFF, Precision, largest, rounding
 from reference.simulator import Endless, Happened
 from reference.stepping import MOST_CHOSEN, Driven, StepGame, of_step, run, told
 from reference.storeys import StoreyWorld, Terrain
@@ -35,7 +35,11 @@ from reference.world import LevelError, World
 from spec.body import Body, Level
 from spec.graph import Direction
 from spec.profiles import SteppedProfile
+from spec.rule import AnyRule, Chooser, GuardError
+from spec.rules.event import Nearing
+from spec.rules.step import Moment, StepRules
 from spec.rules.velocity import Motion
+from spec.rules.wish import Urge
 from spec.storeys import Drive, Interval, short_way
 
 MOST_WAYS = 500
@@ -45,30 +49,40 @@ MORE_WORK = 4
 rest of time that is as good as none may be taken for some, again and again.
 """
 
+EVENTS_APART = 2**10
+"""As many events in a row are told apart, all of them by less than this part of the tolerance."""
+
+NEVER = Fraction(10**100)
+"""A time after the end of every step."""
+
 Drives = Mapping[int, Drive[Fraction]]
 
 
 @dataclass(frozen=True)
 class Outcome:
-    """What came of a step: the storeys after it, how far each body moved, what happened, how many rules it took."""
+    """What came of a step: the storeys after it, how far each body moved, what happened, how many rules it took, and
+    from instant to instant how it went.
+    """
 
     storeys: StoreyWorld[Any]
     moved: Mapping[int, Fraction]
     happened: tuple[Happened[Any], ...]
     speeds: Mapping[int, Any]
     work: int
+    moments: Sequence[Moment[Any]]
 
 
 @dataclass(frozen=True)
 class OfSteps:
     """Who judges steps in which bodies move all at once: the plan of a log's level, and the profile.
 
-    `nearly` is how well velocities are known.
+    `nearly` is how well velocities are known, `numbers` what the log computes in.
     """
 
     plan: Plan[Fraction]
     profile: SteppedProfile
     nearly: Fraction
+    numbers: Precision = "float64"
 
     def asked(self, before: World[Fraction], line: LineRecord) -> tuple[Request, ...]:
         """How far each driven body would come if nothing were in its way."""
@@ -76,17 +90,32 @@ class OfSteps:
         return tuple((body, way(drive.speed), abs(drive.speed) * time) for body, drive in drives.items())
 
     def walks(self, step: Step) -> int:
-        """As often as makes what is rounded spread by half as many roundings: the rest is for ties."""
-        driven, time = self.driven(step.before, step.line)
-        moments, _ = run(self.profile.rules, self.storeys(step.before), self.drives(driven), time)
-        return max(1, ceil(2 * spread(moments) / ROUNDINGS))
+        """As often as makes up for how far what is rounded spreads."""
+        driven = self.driven(step.before, step.line)
+        outcome = self.outcome(self.storeys(step.before), driven)
+        distances = (distance for _, _, distance in step.asked)
+        one = ROUNDINGS * rounding(self.numbers, self.plan.level, *distances)
+        return max(1, ceil(self.spread(outcome, driven).off / one))
+
+    def spread(self, outcome: Outcome, asked: Driven[Fraction]) -> Spread:
+        """How far what is rounded spreads on the way to an outcome."""
+        roundoff, moving = UNIT_ROUNDOFF[self.numbers], [drive for drive in asked[0].values() if drive.speed]
+        sums = max(0, min(len(moving) - 1, sum(drive.relative for drive in moving)))
+        return spread(outcome.moments, roundoff, largest(self.plan.level), sums)
+
+    def within(self, outcome: Outcome, asked: Driven[Fraction], tolerance: Fraction) -> Fraction:
+        """How far off a step may be that went as an outcome did; the tolerance at least."""
+        if not tolerance:
+            return tolerance
+        return max(tolerance, min(self.plan.level.margin / PART, self.spread(outcome, asked).off))
 
     def judge(self, step: Step, tolerance: Fraction) -> tuple[Judgement, list[Difference]]:
         """Where the bodies are after a step, and what the line says of their ways; of events in exact numbers."""
         judgement, outcome = self.found(step, tolerance)
         said: list[Difference] = []
         if judgement.finding in (Finding.AGREES, Finding.ONE_OF_SEVERAL):
-            said += of_the_moves(step.line, step.asked, judgement.expected, tolerance, rules_known=False)
+            within = self.within(outcome, self.driven(step.before, step.line), tolerance)
+            said += of_the_moves(step.line, step.asked, judgement.expected, within, rules_known=False)
             said += self.of_the_events(step.line, outcome) if not tolerance else ()
         return judgement, said
 
@@ -168,32 +197,55 @@ class OfSteps:
         driven, time = asked
         names = [body.name for body in self.plan.level.bodies]
         drives, after = self.drives(driven), before.copy()
-        moments, chosen = run(self.profile.rules, after, drives, time + before.margin * 0, most)
+        came, chosen = run(self.profile.rules, after, drives, time + before.margin * 0, most)
+        moments = [with_known_speeds(moment) for moment in came]
         moved = {body: sum((m.velocities[body] * value_of(m.moved) for m in moments), Fraction(0)) for body in drives}
-        return Outcome(after, moved, tuple(told(names, time, moments)), moments[-1].velocities, chosen.chosen)
+        happened = tuple(told(names, time, moments))
+        return Outcome(after, moved, happened, moments[-1].velocities, chosen.chosen, moments)
 
     def among_all_ways(
         self, step: Step, before: StoreyWorld[Any], seen: StoreyWorld[Any], tolerance: Fraction, first: Outcome
     ) -> tuple[Finding, Outcome]:
-        """Whether the bodies are where they may be if ties are broken in another way, and what happened then."""
-        near, asked = nearly(before), self.driven(step.before, step.line)
+        """Whether the bodies are where they may be if ties are broken in another way, and what happened then.
+
+        Ties of the same two values are broken alike all through the step, or else anew whenever a body looks for its
+        support. Velocities are exact, or else those that are sums are not. Of events at one instant, of which such a
+        tie does not tell which is which, any may come first.
+        """
+        asked = self.driven(step.before, step.line)
+        least, most = tolerance * slowest(asked[0]), self.plan.level.margin / PART * slowest(asked[0])
+        apart = max(least, min(most, self.spread(first, asked).apart)) if tolerance else tolerance
+        finding, rules = Finding.DIVERGES, self.profile.rules
+        anew = replace(rules, settle=Asking(rules.settle))
+        for some in (rules, with_rounded_sums(rules), anew, told_apart(rules, least)) if tolerance else ():
+            try:
+                for outcome in self.ways(some, nearly(before), asked, apart, MORE_WORK * first.work):
+                    if self.agrees(step, outcome, seen, self.within(outcome, asked, tolerance)):
+                        return Finding.ONE_OF_SEVERAL, outcome
+            except TooManyWays:
+                finding = Finding.AMBIGUOUS
+        return finding, first
+
+    def ways(
+        self, rules: StepRules, before: StoreyWorld[Any], asked: Driven[Fraction], apart: Fraction, most: int
+    ) -> Iterator[Outcome]:
+        """The outcomes of a step by rules, with ties broken in every way: of numbers so far apart at most.
+
+        Raises:
+            TooManyWays: if there are too many.
+        """
+        judge = replace(self, profile=replace(self.profile, rules=rules))
 
         def one_way(choices: Choices) -> Outcome | None:
-            token = TIES.set(Ties(tolerance * slowest(asked[0]), choices))
+            token = TIES.set(Ties(apart, choices))
             try:
-                return self.outcome(near, asked, MORE_WORK * first.work)
-            except Endless:
+                return judge.outcome(before, asked, most)
+            except (Endless, GuardError):
                 return None
             finally:
                 TIES.reset(token)
 
-        try:
-            for outcome in every_way(one_way, MOST_WAYS) if tolerance else ():
-                if outcome is not None and self.agrees(step, outcome, seen, tolerance):
-                    return Finding.ONE_OF_SEVERAL, outcome
-        except TooManyWays:
-            return Finding.AMBIGUOUS, first
-        return Finding.DIVERGES, first
+        yield from (outcome for outcome in every_way(one_way, MOST_WAYS) if outcome is not None)
 
     def agrees(self, step: Step, outcome: Outcome, seen: StoreyWorld[Any], tolerance: Fraction) -> bool:
         """Whether bodies are seen where an outcome has them, with the velocities that it leaves to them."""
@@ -266,6 +318,78 @@ class OfSteps:
             game.tick(line.tick.direction)
         place = game.storeys.places[game.names.index(body)]
         return place.storey, place.left, None if place.support is None else game.names[place.support]
+
+
+def with_known_speeds(moment: Moment[Any]) -> Moment[Any]:
+    """An instant with the exact values of its velocities."""
+    return replace(moment, velocities={body: value_of(speed) for body, speed in moment.velocities.items()})
+
+
+def with_rounded_sums(rules: StepRules) -> StepRules:
+    """The rules with wishes that are known nearly where they are sums."""
+    coming = {name: Coming(getattr(rules, name)) for name in ("contact", "wall", "loss")}
+    return replace(rules, wish=Summed(rules.wish), **coming)
+
+
+@dataclass(frozen=True)
+class Asking:
+    """A family that breaks ties anew for every situation it is asked about."""
+
+    family: Chooser
+
+    def choose(self, facts: Any) -> AnyRule:
+        """Return the rule that applies."""
+        TIES.get().anew()
+        return self.family.choose(facts)
+
+
+@dataclass(frozen=True)
+class Summed:
+    """A family of wishes: one that is a sum of two velocities, neither of which is 0, is rounded."""
+
+    family: Chooser
+
+    def choose(self, facts: Urge[Any]) -> AnyRule:
+        """Return the rule that applies."""
+        rule = self.family.choose(facts)
+        if not facts.drive.relative or not value_of(facts.carried):
+            return rule
+        return replace(
+            rule, effect=lambda urge: Near(value_of(rule.effect(urge))) if urge.drive.speed else urge.carried
+        )
+
+
+@dataclass(frozen=True)
+class Coming:
+    """A family of what comes: with a rounded speed that is taken to come nearer, and does not, it never comes."""
+
+    family: Chooser
+
+    def choose(self, facts: Nearing[Any]) -> AnyRule:
+        """Return the rule that applies."""
+        rule = self.family.choose(facts)
+        return rule if value_of(facts.speed) > 0 else replace(rule, effect=lambda nearing: Near(NEVER))
+
+
+def told_apart(rules: StepRules, tolerance: Fraction) -> StepRules:
+    """The rules with events of which no two come at one instant."""
+    counted, by = cycle(range(EVENTS_APART)), tolerance / EVENTS_APART**2
+    later = {name: Later(getattr(rules, name), by, counted) for name in ("contact", "wall", "loss")}
+    return replace(rules, **later)
+
+
+@dataclass(frozen=True)
+class Later:
+    """A family of what comes: each a little later than its rule says, by as many times a number as are counted."""
+
+    family: Chooser
+    by: Fraction
+    counted: Iterator[int]
+
+    def choose(self, facts: Nearing[Any]) -> AnyRule:
+        """Return the rule that applies."""
+        rule, late = self.family.choose(facts), self.by * next(self.counted)
+        return replace(rule, effect=lambda nearing: rule.effect(nearing) + late)
 
 
 def way(speed: Fraction) -> Direction:

@@ -48,7 +48,7 @@ from spec.body import Level
 from spec.graph import Direction, EdgeType
 from spec.invariants import NO_OVERLAP, RIGID_WIDTH, Deed, Invariant
 from spec.plane import APART, NEVER_RAISED, PLANE_MARGIN, TERRAIN
-from spec.profiles import Profile
+from spec.profiles import PROFILES, AnyProfile, Profile
 
 OF_STRINGS: tuple[Invariant, ...] = (NO_OVERLAP, RIGID_WIDTH)
 IN_PLANE: tuple[Invariant, ...] = (APART, PLANE_MARGIN, TERRAIN)
@@ -143,7 +143,8 @@ def referee_of(log: Recording) -> Referee:
     if isinstance(log.profile, Profile):
         return OfRequests(log.level, log.profile, nearly)
     check_plan(log.level)
-    return OfSteps(plan_of(log.level), log.profile, nearly)
+    numbers = precision(log.header)
+    return OfSteps(plan_of(log.level), log.profile, nearly, "float64" if numbers == "exact" else numbers)
 
 
 def referee_after(log: Recording, referee: OfSteps) -> OfSteps:
@@ -323,7 +324,7 @@ def look_at(step: Step, log: Recording, referee: Referee, grid: Grid | None, rep
     if finding in (Finding.DIVERGES, Finding.AMBIGUOUS) and report.first is None:
         found = replace(judgement, finding=finding, differences=differences)
         report.first = trouble(step, log, referee, found, tolerance)
-    for invariant in broken_by(step, tolerance):
+    for invariant in broken_by(step, tolerance, PROFILES[log.header.profile]):
         report.broken.setdefault(invariant.id, Breach(step.number, allowed=finding is not Finding.DIVERGES))
 
 
@@ -344,11 +345,14 @@ def trouble(step: Step, log: Recording, referee: Referee, judgement: Judgement, 
     return replace(referee.trouble(step, log, judgement, tolerance), rounded=rounded)
 
 
-def broken_by(step: Step, tolerance: Fraction) -> Iterator[Invariant]:
-    """The invariants that hold before a step and not after it; those in the plane if bodies are not too many."""
+def broken_by(step: Step, tolerance: Fraction, profile: AnyProfile) -> Iterator[Invariant]:
+    """The invariants that mean something under a profile, and hold before a step and not after it; those in the plane
+    if bodies are not too many.
+    """
     few = len(step.after.bodies) <= MOST_IN_PLANE
     level = all(edge.rise == 0 for edge in step.after.graph.edges if edge.type is EdgeType.GROUND)
-    for invariant in (*OF_STRINGS, *(IN_PLANE if few else ()), *((NEVER_RAISED,) if few and level else ())):
+    judged = (*OF_STRINGS, *(IN_PLANE if few else ()), *((NEVER_RAISED,) if few and level else ()))
+    for invariant in (one for one in judged if one.id not in profile.not_asked):
         if not invariant.holds(deed_of(step, step.before, step.after, tolerance)):
             yield invariant
 

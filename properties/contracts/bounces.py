@@ -1,73 +1,88 @@
-"""How many instants a step with several drives may have: as many as one likes, in worlds of four bodies."""
+"""How many instants a step with several drives may have: as many as one likes, in worlds of four bodies.
+
+The world is that of the scenario `repaired-bounces` after its first step. Two walk to the left on the floor, the one
+behind faster. Above the slot between them, a box is driven to the right relative to what it stands on, and one in
+contact with it walks to the left. On the first, the box wishes to go right: the two are squeezed, stand, and come off
+it. On the second, it wishes to go left: both do, fast, and come off that. From where it comes off the second to where
+it comes off the first there is a way.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
 from fractions import Fraction
+from functools import cache
 from itertools import islice
 from typing import Any
 
 from properties.given import Given
-from reference.storeys import Place, StoreyWorld, Terrain
-from spec.profiles import SteppedProfile
+from reference.formats.level import valid_level
+from reference.formats.scenario import read_scenario
+from reference.play import LIBRARY
+from reference.stepping import StepGame, of_step
+from reference.storeys import StoreyWorld
+from spec.graph import Direction
+from spec.profiles import REPAIRED, SteppedProfile
 from spec.rules.step import Moment, StepRules, step
-from spec.storeys import Drive, Interval, Seat
+from spec.storeys import Drive, Seat
 
-HALVINGS = (1, 2, 4, 8, 16, 32, 64)
-ONE = Fraction(1)
-ENDS = Interval(ONE * -100, ONE * 100)
-TIME = ONE * 6
-DRIVES = {
-    0: Drive(ONE * -1),
-    1: Drive(ONE * -2),
-    2: Drive(ONE * 3 / 2),
-    3: Drive(ONE * -3, relative=False),
-}
+QUARTERINGS = (1, 2, 4, 8, 16, 32)
+FIRST, SECOND, BOX, OTHER = range(4)
 
 
-def bouncing(way: Any, along: Any) -> StoreyWorld[Any]:
-    """Two walk to the left on the floor, the one behind faster. Above the slot between them, a body is driven to the
-    right relative to what it stands on, and one in contact with it walks to the left.
+@dataclass(frozen=True)
+class Start:
+    """A world, who drives whom in it, and for how long."""
 
-    On the first, the body wishes to go right: the two are squeezed, stand, and come off it. On the second, it wishes to
-    go left: both do, fast, and come off that. From where it comes off the second to where it comes off the first there
-    is a `way`, on which it is so far `along`.
-    """
-    left = 3 * ONE - way + along
-    places = (
-        Place(0, way * 0, ONE * 2, None),
-        Place(0, 6 * ONE - way, ONE * 2, None),
-        Place(1, left, ONE * 2, 0),
-        Place(1, left + 3, ONE * 2, 1),
-    )
-    return StoreyWorld(Terrain((), ENDS), ONE, places)
+    world: StoreyWorld[Any]
+    drives: Mapping[int, Drive[Any]]
+    duration: Any
+
+
+@cache
+def start() -> Start:
+    """The scenario after its first step, and its second step."""
+    scenario, record = read_scenario(LIBRARY / "scenarios" / "repaired-bounces.json")
+    level = valid_level(record, "$.level")
+    game, (before, after) = StepGame(REPAIRED, level), scenario.steps
+    game.step(*of_step(level, before))
+    return Start(game.storeys, *of_step(level, after))
+
+
+def bouncing(way: Any) -> StoreyWorld[Any]:
+    """The world at the start, with any way from bounce to bounce."""
+    world = start().world.copy()
+    less = world.to_loss(BOX, Direction.RIGHT) - way
+    for body in (SECOND, BOX, OTHER):
+        world.advance(body, less)
+    return world
 
 
 def driven(rules: StepRules, world: StoreyWorld[Any]) -> Iterator[Moment[Any]]:
     """The instants of such a world."""
-    return step(rules, world, DRIVES, TIME)
+    return step(rules, world, start().drives, start().duration)
 
 
 def two_bounces_make_way(rules: StepRules, given: Given) -> None:
     """After two instants, all is as it was, but that the way is four times as long; as long as it is short."""
     way = given.number("way")
     given.assume((way > 0) & (way * 8 <= 1), "the way is short")
-    world = bouncing(way, way * 0)
+    world = bouncing(way)
     came = [[event.mark for event in moment.events] for moment in islice(driven(rules, world), 2)]
-    given.ensure("it loses the one, then the other", came == [[Seat(2, 1, 0)], [Seat(2, 1, 1)]])
-    given.ensure("they stand as they did", [world.support(body) for body in DRIVES] == [None, None, 0, 1])
-    first, second, body, other = (world.span(held).left for held in DRIVES)
+    given.ensure("it loses the one, then the other", came == [[Seat(BOX, 1, FIRST)], [Seat(BOX, 1, SECOND)]])
+    given.ensure("they stand as they did", [world.support(body) for body in start().drives] == [None, None, 0, 1])
+    first, second, box, other = (world.span(held).left for held in start().drives)
     given.ensure("the way is four times as long", second - first == 6 - way * 4)
-    given.ensure("it is at its end", body == second - 3)
-    given.ensure("they are in contact", other - body == 3)
+    given.ensure("it is at its end", box == second - 3)
+    given.ensure("they are in contact", other - box == 3)
 
 
 def instants_have_no_bound(profile: SteppedProfile) -> int:
-    """Four bodies without terrain have as many instants as one likes: four, and one for each time that a way of 1 has
-    been halved.
+    """Four bodies without terrain have as many instants as one likes: four, and two for each time that a way of 1 has
+    been quartered.
     """
-    for halvings in HALVINGS:
-        way = ONE / 2**halvings
-        instants = sum(1 for _ in driven(profile.rules, bouncing(way, way / 2)))
-        assert instants == halvings + 4, f"{halvings} halvings: {instants} instants"
-    return len(HALVINGS)
+    for quarterings in QUARTERINGS:
+        instants = sum(1 for _ in driven(profile.rules, bouncing(Fraction(1, 4**quarterings))))
+        assert instants == quarterings * 2 + 4, f"{quarterings} quarterings: {instants} instants"
+    return len(QUARTERINGS)

@@ -41,22 +41,16 @@ def any_ways(given: Given, setting: Setting, world: StoreyWorld[Any]) -> Ways:
     return ways
 
 
-def what_is_recorded_touches(rules: StepRules, given: Given, setting: Setting) -> None:
-    """If what touches is recorded, and nothing else, it is so at the next instant, and at any time before."""
+def what_comes_is_nearer(rules: StepRules, given: Given, setting: Setting) -> None:
+    """At the cut the same comes nearer as before, but for what has come: as fast, and its room is less by the way. If
+    what touches was recorded, and nothing else, so it is there.
+    """
     world = any_world(given, setting)
     ways, marks = any_ways(given, setting, world), touching(world)
-    come = {one.mark for one in nearings(world, ways) if one.speed >= one.room and not isinstance(one.mark, Seat)}
-    left = go_on(world, ways, UNIT, marks) | come
-    given.ensure("what is recorded is what touches", left == touching(world))
-
-
-def what_comes_is_nearer(rules: StepRules, given: Given, setting: Setting) -> None:
-    """At the cut the same comes nearer as before, but for what has come: as fast, and its room is less by the way."""
-    world = any_world(given, setting)
-    ways = any_ways(given, setting, world)
     before = list(nearings(world, ways))
     come = {one.mark for one in before if one.speed >= one.room}
-    go_on(world, ways, UNIT, set())
+    left = go_on(world, ways, UNIT, marks) | {mark for mark in come if not isinstance(mark, Seat)}
+    given.ensure("what is recorded is what touches", left == touching(world))
     after = {one.mark: one for one in nearings(world, ways) if one.mark not in come}
     given.ensure("the same comes nearer", after.keys() == {one.mark for one in before} - come)
     for one in before:

@@ -13,7 +13,7 @@ from itertools import combinations, product
 from typing import Any
 
 from properties.contracts.steps import any_member
-from properties.contracts.stretches import APART, KNOWN_SPEEDS, ONCE, SOUND, UNIT, any_way, nearings
+from properties.contracts.stretches import APART, KNOWN_SPEEDS, ONCE, UNIT, any_lost, any_way, nearings
 from properties.contracts.sweeps import BEYOND, reaching, rest
 from properties.evidence.comparisons import alike
 from properties.given import Given
@@ -23,15 +23,14 @@ from reference.storeys import StoreyWorld
 from spec.conditions import WALLS_THICK
 from spec.graph import Direction
 from spec.invariants import every
-from spec.plane import negated
 from spec.rule import AnyRule, Chooser
 from spec.rules.event import Nearing
 from spec.rules.row import Meeting, Member, cut_back, velocities
 from spec.rules.settle import Footing, Top, settle
 from spec.rules.step import StepRules, go_on, lasting, rows, touching, unheld, velocities_of
 from spec.rules.wish import Urge
-from spec.stepped import is_held, margins_kept, outside_terrain
-from spec.storeys import AtWall, Contact, Drive, Mark, Seat, seat_of
+from spec.stepped import margins_kept, outside_terrain
+from spec.storeys import AtWall, Contact, Drive, Mark, Seat
 
 Ways = Mapping[int, Any]
 UNTIED = "no two tops are as much under a body that has not moved"
@@ -121,7 +120,8 @@ class Untied:
     def choose(self, facts: Any) -> AnyRule:
         """Return the rule that applies."""
         for one, other in combinations(facts.tops, 2):
-            self.given.assume((one.overlap != other.overlap) | (facts.motion != facts.motion * 0), UNTIED)
+            if one.body != other.body:
+                self.given.assume((one.overlap != other.overlap) | (facts.motion != facts.motion * 0), UNTIED)
         return self.family.choose(facts)
 
 
@@ -172,19 +172,24 @@ def records_look_alike(rules: StepRules, given: Given, view: View) -> None:
     given.ensure("the same is left", there == view.of_marks(left))
 
 
+def tops_are_listed_alike(rules: StepRules, given: Given, setting: Setting, view: View) -> None:
+    """In another view of any world, the same tops would hold the first body, in the order in which they are seen."""
+    world: Any = any_places(given, setting)
+    zero = world.margin * 0
+    given.assume(every([margins_kept(world, zero), outside_terrain(world, zero)]), APART)
+    listed = [view.of_body(top) for top in world.tops(0)]
+    seen = view.of_world(world).tops(view.bodies.index(0))
+    given.ensure("the same tops are listed", seen == listed[:: -1 if view.turned else 1])
+
+
 def settling_looks_alike(rules: StepRules, given: Given, setting: Setting, view: View) -> None:
     """In another view of any world, whoever has lost its support finds the same one."""
     world: Any = any_places(given, setting)
-    zero, lost = world.margin * 0, set()
+    zero = world.margin * 0
     given.assume(every([margins_kept(world, zero), outside_terrain(world, zero)]), APART)
     if view.turned:
         given.assume(WALLS_THICK.holds(world, zero), WALLS_THICK.id)
-    for body in setting.drives:
-        holds = every([is_held(world, body, zero)])
-        if given.flag(f"{body} has lost its support"):
-            lost.add(seat_of(world, body))
-            holds = negated(holds)
-        given.assume(holds, SOUND)
+    lost = any_lost(given, world, zero)
     ways, other = {body: any_way(given, body) for body in setting.drives}, view.of_world(world)
     family = Untied(rules.settle, given) if view.reorders else rules.settle
     there = {mark for mark in view.of_marks(set(lost)) if isinstance(mark, Seat)}

@@ -60,6 +60,11 @@ def offset(world: World) -> Any:
     return world.offset(0, 1)
 
 
+def tops(world: World) -> list[int]:
+    """The tops that would hold the last body, from left to right."""
+    return list(world.tops(len(world.places) - 1))
+
+
 HIGH = [(4, 10)]
 A, B = at(0, 2), at(3, 5)
 LONE = at(2, 4)
@@ -102,6 +107,11 @@ BANK: tuple[Measure, ...] = (
     Measure("one beside ground", line(at(10, 12, 1), solid=[HIGH]), holds, False),
     Measure("opposite each other on a ring", ring(at(10, 12), at(0, 2)), offset, 10),
     Measure("opposite each other on a ring, the other first", ring(at(0, 2), at(10, 12)), offset, -10),
+    Measure("tops on a line", line(B, A, at(1, 4, 1)), tops, [1, 0]),
+    Measure("a top a margin from both ends", ring(at(2, 4), at(12, 19), at(0, 11, 1)), tops, [0]),
+    Measure("a top ahead", ring(at(2, 4), at(11 + HALF, 19), at(0, 11, 1)), tops, [0, 1]),
+    Measure("a top behind", ring(at(2, 4), at(12, 19 + HALF), at(0, 11, 1)), tops, [1, 0]),
+    Measure("a top at both ends", ring(at(2, 4), at(11 + HALF, 19 + HALF), at(0, 11, 1)), tops, [1, 0, 1]),
     Measure("nearer across the seam", ring(at(11, 13), at(0, 2)), offset, -9),
 )
 

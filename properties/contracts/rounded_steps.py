@@ -1,33 +1,85 @@
-"""What roundings do to a step in which all bodies move at once: between one instant and the next, in any world.
+"""What roundings do to a step in which all bodies move at once: from one instant to the next one, in any world, at any
+velocities, when everything is off already.
 
-The rules and the world of storeys run as they are on numbers of which every sum is rounded
-(`properties/engine/rounded.py`); velocities are known, so that a time times a velocity is a sum. What is known of the
-state before is exact. A rounding is the unit of all numbers.
+Two courses are compared, in which the same comes, in the same order: one in exact numbers, and that of a machine. An
+instant comes late in the second one, or early; that counts as late by less than 0. So a body is *off* at an instant by
+how far it is from where it is in the first one, but for the way that it goes in the time by which the instant is late.
+The rules and the world of storeys run as they are, on numbers of which every sum is rounded, and on velocities and
+times that are known by their ways (`properties/engine/rounded.py`, `timed.py`). A rounding is the unit of all numbers.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import replace
-from fractions import Fraction
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, replace
 from typing import Any
 
 from properties.conformance.spread import OF_A_MEETING, OF_A_ROOM, OF_A_STRETCH, who_meets
 from properties.contracts.request import Seen
 from properties.contracts.rounding import LITTLE
-from properties.contracts.stretches import nearings
-from properties.engine.rounded import Machine, Rounded, held
+from properties.engine.rounded import Machine, Rounded
+from properties.engine.timed import Speed, Time, Ways
 from properties.given import Given
-from properties.worlds.storeys import Setting, any_world
+from properties.worlds.storeys import Setting, any_places
 from reference.storeys import StoreyWorld, Terrain
-from spec.invariants import equal
+from spec.invariants import equal, every
 from spec.number import greater
 from spec.profiles import SteppedProfile
-from spec.rules.step import go_on
-from spec.storeys import AtWall, Contact, Interval, Seat
+from spec.rules.event import Nearing
+from spec.rules.step import Event, contacts, go_on, losses, next_instant, walls
+from spec.storeys import AtWall, Contact, Interval, Mark, Seat
 
 FAMILIES: Mapping[type, str] = {Contact: "contact", AtWall: "wall", Seat: "loss"}
-Speeds = Mapping[int, Fraction]
+COMING: Mapping[type, Callable[..., Iterator[Nearing[Any]]]] = {Contact: contacts, AtWall: walls, Seat: losses}
+
+
+@dataclass(frozen=True)
+class Courses:
+    """A world at an instant in exact numbers, and as a machine has it then; how far each body is off, at most, and how
+    far its velocity may lead astray until the next instant.
+    """
+
+    exact: StoreyWorld[Any]
+    nearly: StoreyWorld[Any]
+    speeds: Mapping[int, Speed]
+    off: Mapping[int, Any]
+    astray: Mapping[int, Any]
+
+    def apart(self, world: StoreyWorld[Any], body: int, way: Any) -> Any:
+        """How far a body of the machine's world is from where it is in exact numbers when it has gone a way."""
+        return world.places[body].left.held - self.exact.places[body].left - way
+
+
+def any_courses(given: Given, setting: Setting) -> Courses:
+    """Any two courses at any instant: they are off by any amounts."""
+    machine, exact = Machine(given), any_places(given, setting)
+    bodies = range(len(setting.members))
+    off = {body: given.number(f"how far {body} is off at most") for body in bodies}
+    astray = {body: given.number(f"how far the velocity of {body} leads astray at most") for body in bodies}
+    speeds = {body: any_speed(given, machine, body, astray[body]) for body in bodies}
+    nearly = held_by(machine, exact)
+    for body, place in enumerate(nearly.places):
+        besides = signed(given, f"how far {body} is off")
+        given.assume(equal(besides, besides * 0, off[body]), "it is off by that at most")
+        nearly.places[body] = replace(place, left=Rounded(machine, place.left.held + besides + speeds[body].ways.late))
+    return Courses(exact, nearly, speeds, off, astray)
+
+
+def any_speed(given: Given, machine: Machine, body: int, most: Any) -> Speed:
+    """Any velocity of a body; it leads astray by so much at most."""
+    ways = Ways(
+        due=signed(given, f"way of {body}"),
+        late=signed(given, f"late way of {body}"),
+        gone=signed(given, f"way of {body} in the machine's time"),
+        astray=signed(given, f"how far {body} goes astray"),
+    )
+    given.assume(equal(ways.astray, most * 0, most), "it leads astray by that at most")
+    return Speed(machine=machine, held=signed(given, f"velocity of {body}"), ways=ways)
+
+
+def signed(given: Given, name: str) -> Any:
+    """Any number, also one below 0."""
+    return given.number(f"{name}, to the right") - given.number(f"{name}, to the left")
 
 
 def held_by(machine: Machine, world: StoreyWorld[Any]) -> StoreyWorld[Any]:
@@ -41,47 +93,100 @@ def held_by(machine: Machine, world: StoreyWorld[Any]) -> StoreyWorld[Any]:
 
     ground, other = world.terrain, world.copy()
     solid = tuple(tuple(interval(one) for one in storey) for storey in ground.solid)
-    other.terrain = Terrain(solid, None if ground.ends is None else interval(ground.ends), None)
+    round_ = ground.circumference
+    other.terrain = Terrain(solid, ground.ends and interval(ground.ends), None if round_ is None else number(round_))
     other.margin = number(world.margin)
     other.places = [replace(one, left=number(one.left), width=number(one.width)) for one in world.places]
     return other
 
 
-def events_are_nearly_exact(
-    profile: SteppedProfile, given: Given, setting: Setting, speeds: Speeds, meeting: int = OF_A_MEETING
+def errors_spread_so(
+    profile: SteppedProfile, given: Given, setting: Setting, kind: type[Mark], meeting: int = OF_A_MEETING
 ) -> None:
-    """What comes nearer is there in the time that its rule says, but for some roundings, and everybody has gone on as
-    far as it goes in that time.
+    """What comes is early or late by no more than what its two bodies are off, and some roundings, or than the instant
+    before; nobody is off by more than before, and some roundings; and where there is room enough, that is used up.
     """
-    exact = any_world(given, setting)
-    stands_well(given, exact)
-    machine, rooms = Machine(given), {one.mark: one.room for one in nearings(exact, speeds)}
-    for one in nearings(held_by(machine, exact), speeds):
-        given.assume(one.mark in rooms, "it comes nearer in exact numbers too")
-        room, name = rooms[one.mark], type(one.mark).__name__
-        room = greater(room, room * 0)
-        family = Seen(getattr(profile.rules, FAMILIES[type(one.mark)]), given)
-        time = family.choose(one).effect(one)
-        given.ensure(f"{name}: the room makes the time", equal(held(time) * one.speed, room, OF_A_ROOM))
-        gone = gone_in(machine, exact, speeds, time)
-        for body, speed in speeds.items():
-            given.ensure(f"{name}: {body} goes on", equal(gone[body], held(time) * speed, OF_A_STRETCH))
-        first, second = who_meets(one.mark)
-        used = gone[first] - (0 if second is None else gone[second])
-        away = speeds[first] < (0 if second is None else speeds[second])
-        given.ensure(f"{name}: the room is used up", equal(used * (-1 if away else 1), room, meeting))
+    courses = any_courses(given, setting)
+    looks_alike(given, courses)
+    one, room = what_comes(given, courses, kind)
+    time = Seen(getattr(profile.rules, FAMILIES[kind]), given).choose(one).effect(one)
+    goes_on_in_time(given, courses, one, time)
+    after = courses.nearly.copy()
+    go_on(after, courses.speeds, time, set())
+    own = OF_A_ROOM + sum(courses.off[body] + courses.astray[body] for body in who_meets(one.mark) if body is not None)
+    late, earlier = one.speed.ways.late_after, greater(one.speed.ways.late, one.speed.ways.late * -1)
+    given.ensure("it is late by what is off, or as the instant before", equal(late, late * 0, greater(own, earlier)))
+    if room >= own + earlier:
+        used = toward(one.mark, {body: courses.apart(after, body, late * 0) for body in courses.speeds})
+        given.ensure("with room enough, it is late by what is off", equal(late, late * 0, own))
+        given.ensure("with room enough, the room is used up", equal(used * way_of(one.mark, courses), room, meeting))
+    for body, speed in courses.speeds.items():
+        off = courses.apart(after, body, speed.ways.due) - speed.ways.late_after
+        most = courses.off[body] + courses.astray[body] + OF_A_STRETCH
+        given.ensure(f"{body} is off by some roundings more", equal(off, off * 0, most))
 
 
-def stands_well(given: Given, world: StoreyWorld[Any]) -> None:
-    """Assume that whoever is over ground is so by more than what is rounded."""
-    for place in world.places:
-        for ground in world.terrain.ground(place.storey) if place.storey else ():
-            over = (ground.left + LITTLE <= place.right) & (place.left + LITTLE <= ground.right)
-            given.assume(over, "a body is over its ground by more than roundings")
+def what_comes(given: Given, courses: Courses, kind: type[Mark]) -> tuple[Nearing[Any], Any]:
+    """Something that comes at the end of the while, as the machine sees it, and the room to it in exact numbers."""
+    velocities = {body: speed.held for body, speed in courses.speeds.items()}
+    rooms = {one.mark: one.room for one in COMING[kind](courses.exact, velocities)}
+    coming = [one for one in COMING[kind](courses.nearly, courses.speeds) if one.mark in rooms]
+    given.assume(len(coming) > 0, "something comes nearer, in both")
+    one = next((other for other in coming[1:] if given.flag(f"{other.mark} comes first")), coming[0])
+    room = rooms[one.mark]
+    given.assume(one.speed.ways.due == greater(room, room * 0), "it comes at the end of the while")
+    return one, room
 
 
-def gone_in(machine: Machine, exact: StoreyWorld[Any], speeds: Speeds, time: Any) -> dict[int, Any]:
-    """How far each body has gone in a time."""
-    world = held_by(machine, exact)
-    go_on(world, speeds, time, set())
-    return {body: held(world.places[body].left) - exact.places[body].left for body in speeds}
+def goes_on_in_time(given: Given, courses: Courses, one: Nearing[Any], time: Time) -> None:
+    """Assume that in any time what comes nearer does so, and in none nobody goes anywhere."""
+    given.assume(one.speed.ways.gone - one.speed.ways.astray >= 0, "what comes nearer does so in any time")
+    if time.held <= 0:
+        for speed in courses.speeds.values():
+            given.assume((speed.ways.gone == 0) & (speed.ways.astray == 0), "in no time nobody goes anywhere")
+
+
+def first_comes_nearly_first(profile: SteppedProfile, given: Given) -> None:
+    """What a machine takes for the next instant, the end of the step too, comes in exact numbers before all else, but
+    for what that and the other may be late.
+    """
+    names = ("the first", "the second", "the end")
+    before = signed(given, "how late the instant before was")
+    exact = {name: given.number(f"time until {name}") for name in names}
+    most = {name: given.number(f"how late {name} is at most") for name in names}
+    late = {name: signed(given, f"how late {name} is") for name in names}
+    given.assume(every(equal(late[name], before * 0, most[name]) for name in names), "it is late by that at most")
+    nearly = {name: exact[name] + late[name] - before for name in names}
+    coming = [Event("", Seat(body, 0, None), nearly[name]) for body, name in enumerate(names[:2])]
+    instant = next_instant(coming, nearly["the end"])
+    for name in [names[event.mark.body] for event in instant.events] + ["the end"] * instant.last:
+        for other in names:
+            given.ensure(f"{name} is not after {other}, nearly", exact[name] <= exact[other] + most[name] + most[other])
+
+
+def toward(mark: Mark, ways: Mapping[int, Any]) -> Any:
+    """How far the first body of what comes goes to the right, as the second one sees it."""
+    first, second = who_meets(mark)
+    return ways[first] if second is None else ways[first] - ways[second]
+
+
+def way_of(mark: Mark, courses: Courses) -> int:
+    """To which side the first body goes, as the second one sees it."""
+    return 1 if toward(mark, {body: speed.held for body, speed in courses.speeds.items()}) > 0 else -1
+
+
+def looks_alike(given: Given, courses: Courses) -> None:
+    """Assume that the same terrain is ahead of a body, and that who is over ground is so by more than what is off."""
+    for body, place in enumerate(courses.exact.places):
+        away = courses.apart(courses.nearly, body, place.left * 0)
+        for ground in courses.exact.terrain.ground(place.storey) if place.storey else ():
+            over = before(ground.left, place.right, away) & before(place.left, ground.right, away)
+            given.assume(over, "a body is over its ground by more than it is off")
+        for wall in courses.exact.terrain.on(place.storey):
+            beside = before(place.left, wall.left, away) | before(wall.left, place.left, away)
+            given.assume(beside, "it is not where a wall begins")
+
+
+def before(one: Any, two: Any, off: Any) -> Any:
+    """Whether one place is before another by more than what is off, and some roundings."""
+    return (one + off + LITTLE <= two) & (one - off + LITTLE <= two)

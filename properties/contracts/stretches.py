@@ -34,9 +34,12 @@ from spec.stepped import (
     STEP_TERRAIN,
     Course,
     Stretch,
+    images,
     is_held,
     margins_kept,
+    meet,
     outside_terrain,
+    some,
 )
 from spec.storeys import AtWall, Contact, Mark, Seat, seat_of
 
@@ -155,19 +158,26 @@ def is_so(world: StoreyWorld[Any], mark: Mark) -> Any:
     return negated(every([is_held(world, mark.body, UNIT * 0)]))
 
 
+def any_lost(given: Given, world: StoreyWorld[Any], zero: Any) -> set[Seat]:
+    """The seats of any of the bodies of a world, which hold no longer; those of all others do."""
+    lost = set()
+    for body in range(len(world.places)):
+        holds = every([is_held(world, body, zero)])
+        if given.flag(f"{body} has lost its support"):
+            lost.add(seat_of(world, body))
+            holds = negated(holds)
+        given.assume(holds, SOUND)
+    return lost
+
+
 def settling_keeps_apart(rules: StepRules, given: Given, setting: Setting) -> None:
     """When some have lost their supports, all find one that holds them, the right one; nobody comes up, into terrain,
     or nearer to another than the margin.
     """
     before = any_places(given, setting)
-    zero, lost = before.margin * 0, set()
+    zero = before.margin * 0
     given.assume(every([margins_kept(before, zero), outside_terrain(before, zero)]), APART)
-    for body in setting.drives:
-        holds = every([is_held(before, body, zero)])
-        if given.flag(f"{body} has lost its support"):
-            lost.add(seat_of(before, body))
-            holds = negated(holds)
-        given.assume(holds, SOUND)
+    lost = any_lost(given, before, zero)
     ways = {body: any_way(given, body) for body in setting.drives}
     recorded, world = any_contacts(given, before), before.copy()
     for body, changes in groupby(settle(rules.settle, world, ways, lost), lambda change: change.seat.body):
@@ -178,6 +188,27 @@ def settling_keeps_apart(rules: StepRules, given: Given, setting: Setting) -> No
     course = Course((Stretch(before, world, zero, ways, cast(Any, ways), zero),))
     for invariant in (STEP_MARGIN, STEP_TERRAIN, STEP_SUPPORT, STEP_SEAT, STEP_NOT_RAISED):
         given.ensure(invariant.id, every([invariant.holds(course)]))
+
+
+def tops_are_in_order(rules: StepRules, given: Given, setting: Setting) -> None:
+    """Of those below that would hold the first body, also on its other side round a ring, the first one and the last
+    one that a world tells of are so.
+    """
+    world: Any = any_places(given, setting)
+    zero = world.margin * 0
+    given.assume(every([margins_kept(world, zero), outside_terrain(world, zero)]), APART)
+    holding = [one for other in world.row(0) for one in held_at(world, 0, other)]
+    tops = world.tops(0)
+    given.ensure("it tells of some if there are some", bool(tops) == bool(holding))
+    for top, way in zip([*tops[:1], *tops[-1:]], (1, -1), strict=False):
+        mine = held_at(world, 0, top)
+        given.ensure("nobody is further", every(some(x * way <= y * way for x in mine) for y in holding))
+
+
+def held_at(world: StoreyWorld[Any], body: int, below: int) -> list[Any]:
+    """Where the images of a body begin that hold another."""
+    span, found = world.span(body), images(world, world.span(below))
+    return [image.left for image in found if meet(span, image, world.margin)]
 
 
 def what_touches_is_recorded(rules: StepRules, given: Given, setting: Setting) -> None:

@@ -16,14 +16,25 @@ from contextlib import contextmanager, suppress
 from contextvars import ContextVar
 from dataclasses import dataclass, field
 from fractions import Fraction
+from functools import lru_cache
 from itertools import count
 from typing import Any
 
 import z3
 
-from properties.engine.formulas import ask, conjunction, disjunction, opposite, tell
+from properties.engine.formulas import (
+    ask,
+    conjunction,
+    core_of,
+    disjunction,
+    holds_in,
+    identity_of,
+    opposite,
+    references,
+    tell,
+)
 from properties.engine.reals import DECIDE, Symbolic, SymbolicTruth, formula_of
-from properties.engine.simplest import Drawn, simplest_values
+from properties.engine.simplest import Drawn, simplest_values, some_values
 from properties.given import Exact, Given, Infeasible
 from spec.number import Truth
 
@@ -32,6 +43,7 @@ MOST_PATHS = 4_000
 MOST_DRAWN = 100
 
 Program = Callable[[Given], None]
+TRUE = conjunction()
 
 
 class EngineError(Exception):
@@ -60,7 +72,7 @@ class Outcome:
         used: of these, the ones in the core of some answer of the solver.
         sequences: for each path, the rules in the order in which they fired.
         witness: values that satisfy all premises of a path on which a promise was judged.
-        resources: the work of the solver, as it counts it, without what it took to make the witness simple.
+        resources: the work of the solver, as it counts it, without what it took to find the witness.
     """
 
     paths: int = 0
@@ -85,11 +97,20 @@ class Outcome:
 
 @dataclass
 class Fork:
-    """A decision of a run, and whether its other branch is still to be taken."""
+    """A decision of a run: what held before it, the branch taken, whether the other one is still to be taken, and
+    values on that, if some are known.
+    """
 
+    before: list[z3.BoolRef]
     formula: z3.BoolRef
     branch: bool
     other_open: bool
+    elsewhere: z3.ModelRef | None = None
+
+    @property
+    def literals(self) -> list[z3.BoolRef]:
+        """What holds on the branch taken."""
+        return [*self.before, self.formula if self.branch else opposite(self.formula)]
 
 
 @dataclass(frozen=True)
@@ -133,13 +154,15 @@ class Exploration:
         self.program = program
         self.solver = solver_for_reals(seed)
         self.premises: dict[str, z3.BoolRef] = {}
+        self.asked: Any = None
         self.forks: list[Fork] = []
+        self.model: z3.ModelRef | None = None
         self.drawn = Drawn()
         self.covered: list[list[z3.BoolRef]] = []
         self.judged: list[Judged] = []
         self.outcome = Outcome()
         self.names = count()
-        self.merges: dict[tuple[int, ...], Merge] = {}
+        self.merges: dict[tuple[Any, ...], Merge] = {}
         self.definitions: list[z3.BoolRef] = []
 
     def run(self) -> Outcome:
@@ -150,9 +173,13 @@ class Exploration:
 
     def explore_all(self) -> None:
         """Explore every path."""
-        self.run_path()
-        while self.turn():
+        self.solver.push()
+        try:
             self.run_path()
+            while self.turn():
+                self.run_path()
+        finally:
+            self.solver.pop(len(self.forks) + 1)
         if not self.outcome.open:
             self.check_coverage()
 
@@ -167,21 +194,34 @@ class Exploration:
     def turn(self) -> bool:
         """Turn to the next branch not yet taken; False if there is none or the budget of paths is spent."""
         while self.forks and not self.forks[-1].other_open:
-            self.forks.pop()
+            self.leave()
         if self.forks and self.outcome.paths >= MOST_PATHS:
             self.outcome.open.append(f"more than {MOST_PATHS} paths")
             return False
         if self.forks:
-            last = self.forks.pop()
-            self.forks.append(Fork(last.formula, not last.branch, other_open=False))
+            last = self.leave()
+            self.fork(Fork(last.before, last.formula, not last.branch, other_open=False))
+            self.model = last.elsewhere
         return bool(self.forks)
+
+    def leave(self) -> Fork:
+        """Go back to before the last fork."""
+        self.solver.pop()
+        return self.forks.pop()
+
+    def fork(self, fork: Fork) -> list[z3.BoolRef]:
+        """Take a branch; what the solver is told from here on is forgotten when it is left. Return what holds."""
+        self.forks.append(fork)
+        self.solver.push()
+        literals = fork.literals
+        tell(self.solver, literals[-1])
+        return literals
 
     def run_path(self) -> None:
         """Run the program once, along the branches chosen so far."""
         path = self.new_path()
-        self.premises = self.premises_so_far()
+        self.premises, self.asked = self.premises_so_far(), None
         token = DECIDE.set(path.decide)
-        self.solver.push()
         try:
             self.program(path)
             self.outcome.paths += 1
@@ -192,32 +232,40 @@ class Exploration:
         except Infeasible:
             path.judge()
         finally:
-            self.solver.pop()
             DECIDE.reset(token)
         if path.met < len(self.forks):
             raise EngineError("a replay met fewer forks than the run it repeats")
         self.covered.append(path.literals)
 
-    def possible(self, *formulas: z3.BoolRef) -> bool | None:
-        """Whether formulas can hold on the path so far; None if the solver does not know."""
+    def possible(self, formula: z3.BoolRef = TRUE) -> bool | None:
+        """Whether a formula can hold on the path so far; None if the solver does not know."""
         self.outcome.checks += 1
-        answer = ask(self.solver, *formulas, *self.premises.values())
-        if answer == z3.unsat:
-            core = {premise.get_id() for premise in self.solver.unsat_core()}
-            self.outcome.used |= {name for name, premise in self.premises.items() if premise.get_id() in core}
+        if self.asked is None:
+            self.asked = references([formula, *self.premises.values()])
+        self.asked[0] = formula.ast
+        answer = ask(self.solver, self.asked)
+        if answer == z3.unsat and not self.outcome.used >= self.premises.keys():
+            core = core_of(self.solver)
+            self.outcome.used |= {name for name, premise in self.premises.items() if identity_of(premise) in core}
         return None if answer == z3.unknown else bool(answer == z3.sat)
 
-    def premise(self, name: str, formula: z3.BoolRef) -> None:
-        """Let a formula hold on the path from here on, as long as the solver is told the name as well."""
-        self.outcome.assumed.add(name)
-        known = self.premises.setdefault(name, z3.Bool(f"premise: {name}"))
-        tell(self.solver, disjunction(opposite(known), formula))
+    def premise(self, name: str, truth: Truth) -> None:
+        """Let a truth hold on the path from here on, as long as the solver is told the name as well."""
+        self.note(name)
+        tell(self.solver, disjunction(opposite(self.premises[name]), formula_of(truth)))
+
+    def note(self, name: str) -> None:
+        """Take note of a premise."""
+        if name not in self.premises:
+            self.premises[name] = premise_of(name)
+            self.asked = None
+            self.outcome.assumed.add(name)
 
     def witness(self, path: Path) -> dict[str, Fraction | bool] | None:
-        """Simple values that satisfy all premises of this path, and on exact numbers keep all its promises."""
+        """Values that satisfy all premises of this path, and on exact numbers keep all its promises."""
         if self.solver.check(*self.premises.values()) != z3.sat:
             return None
-        values = simplest_values(self.drawn, [*self.definitions, *path.literals])
+        values = some_values(self.drawn, [*self.definitions, *path.literals])
         exact = self.replay("the witness of the premises", values)
         if exact.broken or not exact.promises:
             raise EngineError(f"the witness of the premises does not keep the promises on exact numbers: {values}")
@@ -259,29 +307,47 @@ class Path:
     """One run of the program: a `Given` whose values are symbolic."""
 
     def __init__(self, exploration: Exploration) -> None:
-        """Start at the root."""
+        """Start at the root. Up to the last fork that is held, all has been told and judged before."""
         self.exploration = exploration
         self.met = 0
-        self.literals: list[z3.BoolRef] = []
+        self.literals = exploration.forks[-1].literals if exploration.forks else []
         self.decided: dict[int, bool] = {}
-        self.model: z3.ModelRef | None = None
-        self.promised: list[tuple[str, z3.BoolRef]] = []
+        self.model = exploration.model
+        self.promised: list[tuple[str, Truth]] = []
         self.merges = 0
         self.promises = 0
         self.fired: list[str] = []
+
+    @property
+    def branches(self) -> Iterator[tuple[int, bool]]:
+        """The forks met so far, and the branches taken."""
+        return ((identity_of(fork.formula), fork.branch) for fork in self.exploration.forks[: self.met])
+
+    @property
+    def replayed(self) -> bool:
+        """Whether a fork is still ahead that is held."""
+        return self.met < len(self.exploration.forks)
 
     def number(self, name: str, premise: str = "") -> Symbolic:
         """A symbolic real, at least 0."""
         self.exploration.drawn.number(name)
         number = Symbolic.of(name)
-        self.exploration.premise(premise or f"{name} >= 0", formula_of(number >= 0))
+        self.tell(premise or f"{name} >= 0", number)
         return number
 
     def natural(self, name: str) -> Symbolic:
         """A symbolic whole number, at least 0."""
-        term = self.exploration.drawn.natural(name)
-        self.exploration.premise(f"{name} >= 0", term >= 0)
-        return Symbolic.of(name, whole=True)
+        self.exploration.drawn.natural(name)
+        number = Symbolic.of(name, whole=True)
+        self.tell(f"{name} >= 0", number)
+        return number
+
+    def tell(self, premise: str, number: Symbolic) -> None:
+        """Let a number be at least 0."""
+        if self.replayed:
+            self.exploration.note(premise)
+        else:
+            self.exploration.premise(premise, number >= 0)
 
     def flag(self, name: str) -> bool:
         """Either truth value, each on paths of its own."""
@@ -289,82 +355,84 @@ class Path:
             raise EngineError(f"more than {MOST_DRAWN} truth values are drawn: the program may not end")
         return bool(SymbolicTruth(self.exploration.drawn.flag(name)))
 
-    def take(self, literal: z3.BoolRef) -> None:
-        """Go on where a literal holds."""
-        tell(self.exploration.solver, literal)
-        self.note(literal)
-
-    def note(self, literal: z3.BoolRef) -> None:
-        """Take note of what holds from here on; the last model may not know."""
-        self.literals.append(literal)
-        if self.model is not None and not z3.is_true(self.model.eval(literal, model_completion=True)):
-            self.model = None
-
     def define(self, definitions: list[z3.BoolRef]) -> None:
         """Go on with variables that are defined; they mean nothing to the last model."""
-        tell(self.exploration.solver, *definitions)
         self.merges += 1
-        self.model = None
+        if not self.replayed:
+            tell(self.exploration.solver, *definitions)
+            self.model = None
+
+    def shown(self, formula: z3.BoolRef) -> bool | None:
+        """Whether a formula holds in the last model; None if there is none."""
+        return None if self.model is None else holds_in(self.model, formula)
 
     def may_hold(self, formula: z3.BoolRef) -> bool:
-        """Whether a formula can hold here, for all the solver knows; the last model may show it at once."""
-        if self.model is not None and z3.is_true(self.model.eval(formula, model_completion=True)):
-            return True
+        """Whether a formula can hold here, for all the solver knows; if so, there is a model of it if it found one."""
         answer = self.exploration.possible(formula)
-        if answer:
-            self.model = self.exploration.solver.model()
+        self.model = self.exploration.solver.model() if answer else None
         return answer is not False
+
+    def forked(self, formula: z3.BoolRef) -> Fork:
+        """A new fork. Nothing is asked about a branch on which the last model is."""
+        shown, model = self.shown(formula), self.model
+        holds = shown or self.may_hold(formula)
+        if not holds:
+            self.model = model
+        if shown is False:
+            return Fork(self.literals, formula, holds, other_open=holds, elsewhere=model)
+        other_open = holds and self.exploration.possible(opposite(formula)) is not False
+        return Fork(self.literals, formula, holds, other_open)
 
     def decide(self, formula: z3.BoolRef) -> bool:
         """The branch of this run at a fork. What was decided before on this path is decided.
 
         Equal formulas have one identity in the solver as long as one of them is held, as those of all forks are.
         """
-        known = self.decided.get(formula.get_id())
+        identity = identity_of(formula)
+        known = self.decided.get(identity)
         if known is not None:
             return known
         forks = self.exploration.forks
         if self.met == len(forks):
-            holds = self.may_hold(formula)
-            forks.append(Fork(formula, holds, other_open=holds and self.may_hold(opposite(formula))))
+            self.literals = self.exploration.fork(self.forked(formula))
         fork = forks[self.met]
-        if fork.formula.get_id() != formula.get_id():
+        if identity_of(fork.formula) != identity:
             raise EngineError("a replay met another fork than the run it repeats")
         self.met += 1
-        self.take(fork.formula if fork.branch else opposite(fork.formula))
-        self.decided[fork.formula.get_id()] = fork.branch
+        self.decided[identity] = fork.branch
         return fork.branch
 
     def assume(self, premise: Truth, name: str = "a premise without a name") -> None:
-        """Cut off what does not satisfy the premise; what was promised before is judged without it.
-
-        Up to the last fork that is replayed, the run before has shown that it can be satisfied.
-        """
+        """Cut off what does not satisfy the premise; what was promised before is judged without it."""
         self.judge()
+        if self.replayed:
+            self.exploration.note(name)
+            return
         formula = formula_of(premise)
         self.exploration.covered.append([*self.literals, opposite(formula)])
-        self.exploration.premise(name, formula)
-        self.note(formula)
-        replayed = self.met < len(self.exploration.forks)
-        if not replayed and self.exploration.possible() is False:
-            raise Infeasible
+        self.exploration.premise(name, premise)
+        self.literals = [*self.literals, formula]
+        if not self.shown(formula):
+            self.model = None
+            if self.exploration.possible() is False:
+                raise Infeasible
 
     def ensure(self, name: str, promise: Truth) -> None:
         """Take a promise to be judged on this path, or on all into which it forks from here."""
-        self.promised.append((name, opposite(formula_of(promise))))
+        self.promised.append((name, promise))
         self.promises += 1
         self.exploration.outcome.promises += 1
 
     def judge(self) -> None:
         """Judge what was promised since the last time: all at once, and one by one if that fails."""
         promised, self.promised = self.promised, []
-        if not promised:
+        if not promised or self.replayed:
             return
-        denials = [denial for _, denial in promised]
+        denials = [opposite(formula_of(promise)) for _, promise in promised]
         self.exploration.judged.append(Judged(list(self.literals), denials))
         if self.exploration.possible(disjunction(*denials)) is False:
             return
-        for name, denial in promised:
+        for (name, _), denial in zip(promised, denials, strict=True):
             broken = self.exploration.possible(denial)
             if broken is None:
                 self.exploration.outcome.open.append(f"{name}: the solver does not know")
@@ -375,6 +443,12 @@ class Path:
         """Note that a rule fired on a feasible path."""
         self.fired.append(rule)
         self.exploration.outcome.rules.add(rule)
+
+
+@lru_cache(maxsize=10_000)
+def premise_of(name: str) -> z3.BoolRef:
+    """The literal by which the solver knows a premise."""
+    return z3.Bool(f"premise: {name}")
 
 
 Watch = Callable[[Exploration], None]

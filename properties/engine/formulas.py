@@ -17,6 +17,11 @@ def references(formulas: Sequence[z3.BoolRef]) -> Any:
     return (z3.Ast * len(formulas))(*(formula.ast for formula in formulas))
 
 
+def identity_of(formula: z3.BoolRef) -> int:
+    """What equal formulas have in common as long as one of them is held."""
+    return int(formula.ast.value)
+
+
 def joined(join: Callable[..., Any], formulas: Sequence[z3.BoolRef]) -> z3.BoolRef:
     """Formulas of one context, of which there is at least one, joined."""
     context = formulas[0].ctx
@@ -44,8 +49,25 @@ def tell(solver: z3.Solver, *formulas: z3.BoolRef) -> None:
         z3.Z3_solver_assert(solver.ctx.ref(), solver.solver, formula.ast)
 
 
-def ask(solver: z3.Solver, *formulas: z3.BoolRef) -> z3.CheckSatResult:
-    """Whether formulas can hold together with what a solver knows."""
+def core_of(solver: z3.Solver) -> set[int]:
+    """The identities of formulas that a solver was asked about, and that cannot hold together."""
     reference = solver.ctx.ref()
-    answer = z3.Z3_solver_check_assumptions(reference, solver.solver, len(formulas), references(formulas))
+    core = z3.Z3_solver_get_unsat_core(reference, solver.solver)
+    z3.Z3_ast_vector_inc_ref(reference, core)
+    try:
+        return {z3.Z3_ast_vector_get(reference, core, i).value for i in range(z3.Z3_ast_vector_size(reference, core))}
+    finally:
+        z3.Z3_ast_vector_dec_ref(reference, core)
+
+
+def holds_in(model: z3.ModelRef, formula: z3.BoolRef) -> bool:
+    """Whether a formula holds in a model."""
+    reference, value = model.ctx.ref(), (z3.Ast * 1)()
+    z3.Z3_model_eval(reference, model.model, formula.ast, True, value)
+    return bool(z3.Z3_get_bool_value(reference, value[0]) == z3.Z3_L_TRUE)
+
+
+def ask(solver: z3.Solver, formulas: Any) -> z3.CheckSatResult:
+    """Whether formulas, given by their references, can hold together with what a solver knows."""
+    answer = z3.Z3_solver_check_assumptions(solver.ctx.ref(), solver.solver, len(formulas), formulas)
     return z3.CheckSatResult(answer)

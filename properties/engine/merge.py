@@ -12,7 +12,7 @@ from typing import Any
 import z3
 
 from properties.engine.explore import EngineError, Exploration, Merge, Path
-from properties.engine.formulas import ask, disjunction, opposite
+from properties.engine.formulas import ask, disjunction, opposite, references
 from properties.engine.reals import Symbolic, parted, term_of
 from properties.given import Given
 
@@ -57,7 +57,7 @@ class PartExploration(Exploration):
         if len(self.covered) != len(self.returned) or self.premises != self.outside.premises:
             raise EngineError("a part that is merged assumes something, or draws")
         elsewhere = opposite(disjunction(*self.places))
-        if ask(self.solver, elsewhere, *self.definitions, *self.premises.values()) != z3.unsat:
+        if ask(self.solver, references([elsewhere, *self.definitions, *self.premises.values()])) != z3.unsat:
             raise EngineError("the paths of a part do not cover all values")
 
     def merge(self, numbers: Sequence[Any]) -> Any:
@@ -83,7 +83,7 @@ def merged(given: Given, part: Part) -> list[Any]:
     """The numbers that a part of a program returns, of which it may assume nothing; on known values it just runs."""
     if not isinstance(given, Path):
         return list(part(given))
-    met = (given.merges, *(literal.get_id() for literal in given.literals))
+    met = (given.merges, *given.branches)
     known = given.exploration.merges
     if met not in known:
         known[met] = explored(given, part)

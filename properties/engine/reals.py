@@ -27,8 +27,11 @@ Known = int | Fraction
 
 
 def known(number: Any) -> Known:
-    """A number at its exact value."""
-    return number if isinstance(number, int) else Fraction(number)
+    """A number at its exact value, as a whole one if it is one."""
+    if isinstance(number, int):
+        return number
+    exact = number if isinstance(number, Fraction) else Fraction(number)
+    return exact.numerator if exact.denominator == 1 else exact
 
 
 class SymbolicTruth:

@@ -23,15 +23,21 @@ class Drawn:
 
     def number(self, name: str) -> z3.ArithRef:
         """The real of that name."""
-        return self.numbers.setdefault(name, z3.Real(name))
+        if name not in self.numbers:
+            self.numbers[name] = z3.Real(name)
+        return self.numbers[name]
 
     def natural(self, name: str) -> z3.ArithRef:
         """The whole number of that name."""
-        return self.naturals.setdefault(name, z3.Int(name))
+        if name not in self.naturals:
+            self.naturals[name] = z3.Int(name)
+        return self.naturals[name]
 
     def flag(self, name: str) -> z3.BoolRef:
         """The truth value of that name."""
-        return self.flags.setdefault(name, z3.Bool(name))
+        if name not in self.flags:
+            self.flags[name] = z3.Bool(name)
+        return self.flags[name]
 
     def signs(self) -> list[z3.BoolRef]:
         """What holds of every number drawn: it is at least 0."""
@@ -50,17 +56,29 @@ class Drawn:
         return {name: Fraction(number) for name, number in {**exact, **whole}.items()} | truth
 
 
-def simplest_values(drawn: Drawn, formulas: Sequence[z3.BoolRef]) -> dict[str, Fraction | bool]:
-    """Values that satisfy formulas, which some do: on the coarsest grid that has any, then small.
+def solved(drawn: Drawn, formulas: Sequence[z3.BoolRef]) -> tuple[Drawn, z3.Solver]:
+    """A solver that has found values that satisfy formulas, which some do.
 
-    The solver has a context of its own, so that its values do not depend on what was solved before.
+    It has a context of its own, so that its values do not depend on what was solved before.
     """
     context = z3.Context()
     own, solver = drawn.translated(context), z3.SolverFor("QF_LIRA", ctx=context)
     solver.set("rlimit", SEARCH_BUDGET)
     solver.add(*own.signs(), *(formula.translate(context) for formula in formulas))
     solver.check()
-    best = solver.model()
+    return own, solver
+
+
+def some_values(drawn: Drawn, formulas: Sequence[z3.BoolRef]) -> dict[str, Fraction | bool]:
+    """Values that satisfy formulas, which some do."""
+    own, solver = solved(drawn, formulas)
+    return own.values(solver.model())
+
+
+def simplest_values(drawn: Drawn, formulas: Sequence[z3.BoolRef]) -> dict[str, Fraction | bool]:
+    """Values that satisfy formulas, which some do: on the coarsest grid that has any, then small."""
+    own, solver = solved(drawn, formulas)
+    best, context = solver.model(), solver.ctx
     for grid in GRIDS:
         solver.push()
         for name, term in own.numbers.items():

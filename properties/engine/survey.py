@@ -160,15 +160,18 @@ def beyond(held: frozenset[str], conditions: Mapping[str, z3.BoolRef]) -> z3.Boo
 
 
 def largest(solver: z3.Solver, conditions: Mapping[str, z3.BoolRef]) -> frozenset[str]:
-    """A set of conditions that can hold together with what a solver knows, and to which none can be added.
+    """The conditions that can hold together with what a solver knows, each taken if it can hold with those before it.
 
-    The solver has just found a model.
+    They are taken by name. So it is always the same set, and none can be added. The solver has just found a model. In a
+    model of those taken so far, what holds need not be asked.
     """
-    model = solver.model()
-    held = {name for name, formula in conditions.items() if z3.is_true(model.eval(formula, model_completion=True))}
-    for name in conditions:
-        if name not in held and can_hold(solver, [conditions[one] for one in (*held, name)]):
-            held.add(name)
+    model, held = solver.model(), dict[str, z3.BoolRef]()
+    for name, formula in sorted(conditions.items()):
+        if not z3.is_true(model.eval(formula, model_completion=True)):
+            if not can_hold(solver, [*held.values(), formula]):
+                continue
+            model = solver.model()
+        held[name] = formula
     return frozenset(held)
 
 

@@ -58,5 +58,5 @@ class Tied:
         """Return the rule that applies."""
         if isinstance(facts, Footing) and not facts.motion and facts.tops:
             most = max(top.overlap for top in facts.tops)
-            self.ties.any |= sum(1 for top in facts.tops if top.overlap == most) > 1
+            self.ties.any |= len({top.body for top in facts.tops if top.overlap == most}) > 1
         return self.family.choose(facts)

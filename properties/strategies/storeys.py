@@ -111,6 +111,29 @@ class Maker:
             along += width + margin
         return Terrain((), None, along), found
 
+    def exact_fit(self, margin: Fraction, bodies: int) -> tuple[Terrain[Fraction], list[Place[Fraction]]]:
+        """A full ring, but for one of two or more that is still above its place, or near."""
+        terrain, (*rest, last) = self.full_ring(margin, max(bodies, 2))
+        assert terrain.circumference is not None
+        left = once_round(last.left + self.size(2) - ONE, terrain.circumference)
+        place = seated(terrain, margin, rest, replace(last, storey=1, left=left))
+        return terrain, rest if place is None else [*rest, place]
+
+    def tower(self, margin: Fraction) -> tuple[Terrain[Fraction], list[Place[Fraction]]]:
+        """A ring with a body on one that is on another, so wide that what it comes down to may hold it at both ends."""
+        high, beside = (self.random.choice(WIDTHS) for _ in range(2))
+        low = high + self.size(2, least=1)
+        round_ = low + beside + margin * 4
+        wide = round_ - high - margin * self.random.choice((2, 2, 3))
+        terrain, shift, found = Terrain((), None, round_), self.size(3), list[Place[Fraction]]()
+        on_low = (low - high) * self.random.randint(0, 4) / 4
+        stand = (0, ZERO, low), (0, low + margin * 2, beside), (1, on_low, high), (2, on_low, wide)
+        for storey, left, width in stand:
+            place = Place(storey, once_round(left + shift, round_), width, None)
+            held = seated(terrain, margin, found, place)
+            found += [] if held is None else [held]
+        return terrain, found
+
     def drives(self, bodies: int) -> list[Drive[Fraction]]:
         """What drives so many bodies: one key, one of them alone, or each its own drive."""
         kind, one, still = self.random.random(), self.drive(), Drive(ZERO)
@@ -147,8 +170,13 @@ def outing(seed: int, bodies: int, storeys: int) -> Outing:
     maker = Maker(random, random.choice(GRIDS))
     terrain, margin = maker.terrain(storeys), Fraction(random.choice((1, 2, 4)), 2 * maker.grid)
     placed = maker.placed(terrain, margin, bodies)
-    if random.random() < 0.04:
+    kind = random.random()
+    if kind < 0.06:
         terrain, placed = maker.full_ring(margin, bodies)
+    elif kind < 0.09:
+        terrain, placed = maker.exact_fit(margin, bodies)
+    elif kind < 0.12:
+        terrain, placed = maker.tower(margin)
     drives, duration = maker.drives(len(placed)) if placed else [], maker.size(random.choice((1, 6)))
     part, order = duration * random.randint(0, 8) / 8, random.sample(range(len(placed)), len(placed))
     return Outing(terrain, margin, tuple(placed), tuple(drives), duration, part, tuple(order))

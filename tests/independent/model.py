@@ -432,11 +432,17 @@ class World:
 
     def preference(self, i: int, j: int, motion: Fraction) -> tuple[Fraction, int]:
         """Return what is greatest for the top that a body is to stand on, of those that hold it."""
-        body, top = self.bodies[i], self.bodies[j]
-        left = body.left - self.from_corner(body, top)
+        body, top, way = self.bodies[i], self.bodies[j], 1 if motion > 0 else -1
+        lefts = self.lefts_holding(body, top)
         if motion != 0:
-            return left * (1 if motion > 0 else -1), -j
-        return overlap((left, left + top.width), (body.left, body.right)), -j
+            return max(left * way for left in lefts), -j
+        return max(overlap((left, left + top.width), (body.left, body.right)) for left in lefts), -j
+
+    def lefts_holding(self, body: Body, top: Body) -> list[Fraction]:
+        """Return where the copies of a top begin that hold a body: on a cylinder there may be one on each side."""
+        near = (body.left - self.margin, body.right + self.margin)
+        copies = self.terrain.copies([(top.left, top.right)])
+        return [copy[0] for copy in copies if overlap(copy, near) > 0]
 
     # What a trace says
 
