@@ -5,7 +5,7 @@ import json
 import pytest
 
 from benchmarks.logs import log_of
-from benchmarks.rigid import in_box2d, pushing_in_box2d
+from benchmarks.rigid import TIMES_ITERATED, in_box2d, pushing_in_box2d
 from benchmarks.steps import IN_BATCH, SPEED, TICK, Pushed, at_once, by_events, of_random_levels
 from properties.conformance.validate import validate
 
@@ -21,6 +21,7 @@ WAYS_TO_PUSH = {
     **WAYS,
     "one level anew": lambda scene: at_once(scene, 1, anew=True),
     "batch anew": lambda scene: at_once(scene, IN_BATCH, anew=True),
+    "Box2D iterating": lambda scene: in_box2d(scene, TIMES_ITERATED),
     "Box2D pushing": pushing_in_box2d,
 }
 SCENES = [*(("row", bodies) for bodies in (1, 10, 100, 1000)), *(("stack", bodies) for bodies in (1, 10, 100))]

@@ -17,11 +17,10 @@ FRICTION = 0.4
 """That of Unity, where none is given."""
 APART, PRESSED = 1 + 2 * AT_REST, 1 + 2 * b2_polygonRadius - b2_linearSlop
 """From middle to middle of two boxes that just do not touch, and of two that have been pressed together."""
-ENOUGH, MOST_ITERATIONS = 0.9, 512
-"""What part of the way of the first box the last one is to come, and with how many iterations at most."""
-
-Iterations = tuple[int, int]
-"""Of the solver, for velocities and for positions."""
+TIMES_ITERATED = 64
+"""So many times as many iterations as in Unity are the most."""
+ENOUGH = 0.9
+"""What part of the way of the first box the last one is to come."""
 
 
 def boxes(scene: Pushed, along: float, pushing: bool) -> tuple[Any, list[Any]]:
@@ -47,40 +46,44 @@ def box(create: Any, along: float, up: float) -> Any:
     return create(position=(along, HALF + AT_REST + up), fixedRotation=True, fixtures=fixture)
 
 
-def in_box2d(scene: Pushed) -> Prepared:
-    """The scene; the first box is given its speed in each tick, and slows down when it pushes."""
-    return prepared(scene, *boxes(scene, APART, pushing=False), UNITY_SETTINGS.iterations)
+def in_box2d(scene: Pushed, times: int = 1) -> Prepared:
+    """The scene; the first box is given its speed in each tick, and slows down when it pushes.
+
+    There are so many times as many iterations as in Unity.
+    """
+    return prepared(scene, *boxes(scene, APART, pushing=False), times)
 
 
 def pushing_in_box2d(scene: Pushed) -> Prepared:
     """The scene; nothing holds the first box back, boxes are pressed together, and there are as many iterations, each
     time twice as many as before, as it takes until the last one comes with it, or as there may be.
     """
-    velocities, positions = UNITY_SETTINGS.iterations
-    while velocities < MOST_ITERATIONS and not comes_along(scene, (velocities, positions)):
-        velocities, positions = 2 * velocities, 2 * positions
-    return prepared(scene, *boxes(scene, PRESSED, pushing=True), (velocities, positions))
+    times = 1
+    while times < TIMES_ITERATED and not comes_along(scene, times):
+        times *= 2
+    return prepared(scene, *boxes(scene, PRESSED, pushing=True), times)
 
 
-def comes_along(scene: Pushed, iterations: Iterations) -> bool:
+def comes_along(scene: Pushed, times: int) -> bool:
     """Whether the last box comes with the first."""
-    tried = prepared(scene, *boxes(scene, PRESSED, pushing=True), iterations)
+    tried = prepared(scene, *boxes(scene, PRESSED, pushing=True), times)
     tried.program()
     return tried.come() >= ENOUGH * float(SPEED * TICK) * tried.ticks
 
 
-def prepared(scene: Pushed, world: Any, bodies: list[Any], iterations: Iterations) -> Prepared:
-    """A program that lets the boxes move for some ticks."""
+def prepared(scene: Pushed, world: Any, bodies: list[Any], times: int) -> Prepared:
+    """A program that lets the boxes move for some ticks, with so many times as many iterations as in Unity."""
+    velocities, positions = (times * count for count in UNITY_SETTINGS.iterations)
     start = bodies[-1].position[0]
 
     def program() -> None:
         for _ in range(scene.ticks):
             bodies[0].linearVelocity = (float(SPEED), bodies[0].linearVelocity[1])
-            world.Step(float(TICK), *iterations)
+            world.Step(float(TICK), velocities, positions)
 
     return Prepared(
         program,
         scene.ticks,
-        lambda: {"contacts": world.contactCount, "iterations": iterations[0]},
+        lambda: {"contacts": world.contactCount, "iterations": velocities},
         lambda: float(bodies[-1].position[0] - start),
     )
