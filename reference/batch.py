@@ -23,7 +23,7 @@ greatest way that it slides is where it ends if nothing stops it, and less than 
 what would make it lose its support, it keeps that.
 
 **Going on.** If all of a level keep their speeds for a time ahead, a step of any part of it is one sum. So it is found
-out for longer and longer times whether something comes, and a level is looked at again only when that may be.
+out for how long nothing comes, and a level is looked at again only then.
 """
 
 from __future__ import annotations
@@ -149,7 +149,6 @@ class Layout:
     order: Array
     level: Array
     kinds: Array
-    row: Array
     width: Array
     margin: Array
     support: Array
@@ -157,6 +156,12 @@ class Layout:
     storeys: tuple[Storey, ...]
     riders: Array
     fallers: Array
+
+    @property
+    def row(self) -> Array:
+        """The row of each body."""
+        found: Array = self.kinds[1]
+        return found
 
 
 def lay_out(
@@ -180,11 +185,11 @@ def laid_out(
     order: Array, level: Array, kinds: Array, width: Array, margin: Array, support: Array, edges: Array
 ) -> Layout:
     """A layout of bodies that are in order."""
-    storey, row, place, falls = kinds
+    storey, _, place, falls = kinds
     rides = support != np.arange(len(order))
     storeys = tuple(storeys_of(storey, place, rides))
     riders, fallers = np.flatnonzero(rides), np.flatnonzero(falls)
-    return Layout(order, level, kinds, row, width, margin, support, edges, storeys, riders, fallers)
+    return Layout(order, level, kinds, width, margin, support, edges, storeys, riders, fallers)
 
 
 def part_of(layout: Layout, levels: Array) -> Layout:
@@ -398,6 +403,7 @@ class Batch:
         left: where the bodies are.
         fits: which levels had a closed form when they were last looked at.
         lead: the speed of who is driven in each level, if anybody is.
+        speck: how far roundings may keep a body of each level from where it should come.
         begun, rate, gone, ahead: where bodies were when their level was last looked at, and how they have moved since:
             at these speeds, for so long, of a time for which nothing comes. That is less than 0 if it is not known.
         before, time, far: room for what a step computes. No operation writes where it reads: that takes longer.
@@ -480,7 +486,7 @@ class Batch:
     def go_on(self, levels: Array) -> Array:
         """Let those of some levels go on as they do in which nothing comes now; return which they are.
 
-        It is tried for a longer time, and then until the closed form of that lets somebody stop, or set off.
+        A much longer time is tried, and then that until which, by the closed form of the longer one, all may go on.
         """
         found, sooner = self.kept(levels & self.fits, self.gone * LONGER)
         again, _ = self.kept(levels & self.fits & ~found, sooner)
@@ -511,9 +517,9 @@ class Batch:
         return True
 
     def sooner(self, layout: Layout, far: Array, times: Array) -> Array:
-        """For each level a time in which somebody of the layout, that comes so far in another, has stopped or set off.
+        """For each level the shortest time for which somebody of a layout went or stood who did both in a longer one.
 
-        Where there is none it is twice the time that the level has gone.
+        If it did each once, it changed then. Where nobody did both, it is twice the time that the level has gone.
         """
         found, level, whole = self.gone * 2, layout.level, (self.lead * times)[layout.level]
         least = np.minimum(np.abs(far), np.abs(whole - far))
