@@ -32,7 +32,7 @@ FLOORS_OF_VERDICTS = {
         no-overlap order termination rigid-width on-graph at-most-asked direction bystanders as-far-as-possible
         closed-form determinism additive translation one-rule-applies leaves-only-beyond no-jump-leads-up
         mirror edge-split full-circle margins-over-time order-over-time world-is-lawful nearly-exact
-        margin-nearly-kept step-nearly-exact
+        margin-nearly-kept step-nearly-exact step-nearly-exact-on-rings
         landing-keeps-width stays-in-wall near-jump-edges landing-position landing-position/overshoot
         long-edges-fit
         one-step-rule-applies contacts-do-not-close squeezed-bodies-stand speeds-are-wished

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
@@ -70,13 +71,12 @@ def of_instant(setting: Setting, kind: type[Mark]) -> Obligation:
     return Obligation(f"{name_of(rounded_steps.errors_spread_so)} ({setting.name})", of_profile)
 
 
+ROUND: tuple[tuple[Setting, type[Mark]], ...] = ((PAIR, Contact), (WALL, AtWall))
 INSTANTS = (
-    of_instant(PAIR, Contact),
-    of_instant(WALL, AtWall),
-    of_instant(RIDER, Seat),
-    of_instant(LEDGE, Seat),
+    *(of_instant(one, kind) for one, kind in (*ROUND, (RIDER, Seat), (LEDGE, Seat))),
     Obligation(name_of(rounded_steps.first_comes_nearly_first), rounded_steps.first_comes_nearly_first),
 )
+ON_RINGS = tuple(of_instant(replace(one, name=f"{one.name} on a ring", ring=True), kind) for one, kind in ROUND)
 
 
 def counted(name: str, about: str, sentence: str, source: str, program: Callable[[Any], int]) -> Claim:
@@ -119,6 +119,19 @@ CLAIMS: tuple[Claim, ...] = (
         (),
         Verdict.PROVED,
         INSTANTS,
+    ),
+    Claim(
+        "claim/step-nearly-exact-on-rings",
+        "rounding",
+        "On a ring it is so of two that meet, and of who comes to a wall, with one rounding more for each place that "
+        "may have come round: with 6 roundings, 3, and 12.",
+        STEP_NEARLY_EXACT.source,
+        STEP_NEARLY_EXACT.id,
+        REPAIRED,
+        (),
+        Verdict.PROVED,
+        ON_RINGS,
+        long=True,
     ),
     counted(
         "long-rows-need-more",

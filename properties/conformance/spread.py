@@ -17,11 +17,19 @@ from properties.engine.ties import value_of
 from spec.rules.step import Moment
 from spec.storeys import AtWall, Contact, Mark
 
-OF_A_STRETCH, OF_A_ROOM, OF_A_MEETING = 2, 5, 9
-"""How many roundings off is the place of a body that moved for a while, a room that is used up, two bodies that met.
 
-`properties/contracts/rounded_steps.py` proves it.
-"""
+@dataclass(frozen=True)
+class Roundings:
+    """By how many roundings is off: the place of a body that moved for a while (`stretch`), a `room` that is used up,
+    the distance of two that met (`meeting`). `properties/contracts/rounded_steps.py` proves it.
+    """
+
+    stretch: int
+    room: int
+    meeting: int
+
+
+ON_A_LINE, ON_A_RING = Roundings(2, 5, 9), Roundings(3, 6, 12)
 
 Speeds = Mapping[int, Fraction]
 
@@ -41,12 +49,14 @@ class Course:
     """A step in exact numbers, as far as it has been followed.
 
     Attributes:
+        roundings: by how many of them what is off, on such a level.
         rounding: the largest error of one sum.
         sums: of how many sums a velocity is made, at most.
         off: by how many roundings each body may be off.
         late: by how much time, in roundings, the last instant may be late.
     """
 
+    roundings: Roundings
     rounding: Fraction
     sums: int
     off: dict[int, Fraction]
@@ -59,7 +69,7 @@ class Course:
         late = [self.lateness(mark, speeds) for mark in marks]
         self.late = max(late) if late and met == marks else max([self.late, *late])
         for body, speed in speeds.items():
-            self.off[body] += abs(then[body] - speed) * self.late + OF_A_STRETCH + self.sums
+            self.off[body] += abs(then[body] - speed) * self.late + self.roundings.stretch + self.sums
         for mark in met:
             self.meet(mark, then)
 
@@ -70,20 +80,27 @@ class Course:
 
     def lateness(self, mark: Mark, speeds: Speeds) -> Fraction:
         """By how much time, in roundings, what is off makes an event early or late."""
-        room = sum((self.off[body] + self.sums for body in who_meets(mark) if body is not None), Fraction(OF_A_ROOM))
-        return room / closing_of(mark, speeds)
+        bodies = [body for body in who_meets(mark) if body is not None]
+        return (self.roundings.room + sum(self.off[body] + self.sums for body in bodies)) / closing_of(mark, speeds)
 
     def meet(self, mark: Mark, then: Speeds) -> None:
         """Of two that go on alike, neither is off by more than the other; nor is who stands at a wall."""
         one, other = who_meets(mark)
         if isinstance(mark, AtWall) and then[one] == 0:
-            self.off[one] = min(self.off[one], Fraction(OF_A_MEETING))
+            self.off[one] = min(self.off[one], Fraction(self.roundings.meeting))
         if isinstance(mark, Contact) and other is not None and then[one] == then[other]:
-            least = min(self.off[one], self.off[other]) + OF_A_MEETING
+            least = min(self.off[one], self.off[other]) + self.roundings.meeting
             self.off[one], self.off[other] = min(self.off[one], least), min(self.off[other], least)
 
 
-def spread(moments: Sequence[Moment[Any]], roundoff: Fraction, largest: Fraction, sums: int) -> Spread:
+def roundings_of(ring: bool) -> Roundings:
+    """Those of a line, or of a ring."""
+    return ON_A_RING if ring else ON_A_LINE
+
+
+def spread(
+    moments: Sequence[Moment[Any]], roundings: Roundings, roundoff: Fraction, largest: Fraction, sums: int
+) -> Spread:
     """How far what is rounded spreads in a step that went so, in a level of numbers up to the largest.
 
     Times are compared, which may be late, and places, from which bodies may have gone on for as long.
@@ -92,7 +109,7 @@ def spread(moments: Sequence[Moment[Any]], roundoff: Fraction, largest: Fraction
     fastest = max(abs(speed) for speeds in velocities for speed in speeds.values())
     duration = value_of(moments[0].left) + value_of(moments[0].moved)
     rounding, late = roundoff * max(largest, fastest * duration), Fraction(0)
-    course = Course(rounding, sums, dict.fromkeys(velocities[0], Fraction(0)))
+    course = Course(roundings, rounding, sums, dict.fromkeys(velocities[0], Fraction(0)))
     for moment, (speeds, then) in zip(moments, pairwise([*velocities, velocities[-1]]), strict=True):
         course.follow(moment, speeds, then)
         late = max(late, course.late)

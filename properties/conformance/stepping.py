@@ -8,16 +8,17 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from itertools import cycle, groupby
+from itertools import groupby
 from math import ceil
 from typing import Any
 
 from properties.conformance.diagnosis import Trouble
+from properties.conformance.doubt import each_by_itself, told_apart, with_known_speeds, with_rounded_sums
 from properties.conformance.judge import Difference, Expected, Finding, Judgement, position_text
 from properties.conformance.log import ZERO, Request, Step, minima_moved
 from properties.conformance.minimise import with_bodies, without_needless
 from properties.conformance.said import as_json, of_the_moves, of_the_velocities
-from properties.conformance.spread import Spread, spread
+from properties.conformance.spread import Spread, roundings_of, spread
 from properties.engine.ties import TIES, Choices, Near, Ties, TooManyWays, every_way, value_of
 from reference.formats.files import FormatError
 from reference.formats.level import BodyRecord, LevelRecord, level_record, valid_level
@@ -35,11 +36,9 @@ from reference.world import LevelError, World
 from spec.body import Body, Level
 from spec.graph import Direction
 from spec.profiles import SteppedProfile
-from spec.rule import AnyRule, Chooser, GuardError
-from spec.rules.event import Nearing
+from spec.rule import GuardError
 from spec.rules.step import Moment, StepRules
 from spec.rules.velocity import Motion
-from spec.rules.wish import Urge
 from spec.storeys import Drive, Interval, short_way
 
 MOST_WAYS = 500
@@ -48,12 +47,6 @@ MORE_WORK = 4
 """How many times as many rules a way may take in which ties are broken otherwise. One that takes more does not end: a
 rest of time that is as good as none may be taken for some, again and again.
 """
-
-EVENTS_APART = 2**10
-"""As many events in a row are told apart, all of them by less than this part of the tolerance."""
-
-NEVER = Fraction(10**100)
-"""A time after the end of every step."""
 
 Drives = Mapping[int, Drive[Fraction]]
 
@@ -101,7 +94,8 @@ class OfSteps:
         """How far what is rounded spreads on the way to an outcome."""
         roundoff, moving = UNIT_ROUNDOFF[self.numbers], [drive for drive in asked[0].values() if drive.speed]
         sums = max(0, min(len(moving) - 1, sum(drive.relative for drive in moving)))
-        return spread(outcome.moments, roundoff, largest(self.plan.level), sums)
+        roundings = roundings_of(self.plan.terrain.circumference is not None)
+        return spread(outcome.moments, roundings, roundoff, largest(self.plan.level), sums)
 
     def within(self, outcome: Outcome, asked: Driven[Fraction], tolerance: Fraction) -> Fraction:
         """How far off a step may be that went as an outcome did; the tolerance at least."""
@@ -208,18 +202,19 @@ class OfSteps:
     ) -> tuple[Finding, Outcome]:
         """Whether the bodies are where they may be if ties are broken in another way, and what happened then.
 
-        Ties of the same two values are broken alike all through the step, or else anew whenever a body looks for its
-        support. Velocities are exact, or else those that are sums are not. Of events at one instant, of which such a
-        tie does not tell which is which, any may come first.
+        Ties of the same two values are broken alike all through the step, or else for each body by itself when it looks
+        for its support. Velocities are exact, or else those that are sums are not. Of events at one instant, of which
+        such a tie does not tell which is which, any may come first.
         """
         asked = self.driven(step.before, step.line)
         least, most = tolerance * slowest(asked[0]), self.plan.level.margin / PART * slowest(asked[0])
         apart = max(least, min(most, self.spread(first, asked).apart)) if tolerance else tolerance
-        finding, rules = Finding.DIVERGES, self.profile.rules
-        anew = replace(rules, settle=Asking(rules.settle))
-        for some in (rules, with_rounded_sums(rules), anew, told_apart(rules, least)) if tolerance else ():
+        finding, rules, near = Finding.DIVERGES, self.profile.rules, nearly(before)
+        others = with_rounded_sums(rules), told_apart(rules, least)
+        ways = (rules, near), (rules, each_by_itself(near)), *((other, near) for other in others)
+        for some, where in ways if tolerance else ():
             try:
-                for outcome in self.ways(some, nearly(before), asked, apart, MORE_WORK * first.work):
+                for outcome in self.ways(some, where, asked, apart, MORE_WORK * first.work):
                     if self.agrees(step, outcome, seen, self.within(outcome, asked, tolerance)):
                         return Finding.ONE_OF_SEVERAL, outcome
             except TooManyWays:
@@ -318,78 +313,6 @@ class OfSteps:
             game.tick(line.tick.direction)
         place = game.storeys.places[game.names.index(body)]
         return place.storey, place.left, None if place.support is None else game.names[place.support]
-
-
-def with_known_speeds(moment: Moment[Any]) -> Moment[Any]:
-    """An instant with the exact values of its velocities."""
-    return replace(moment, velocities={body: value_of(speed) for body, speed in moment.velocities.items()})
-
-
-def with_rounded_sums(rules: StepRules) -> StepRules:
-    """The rules with wishes that are known nearly where they are sums."""
-    coming = {name: Coming(getattr(rules, name)) for name in ("contact", "wall", "loss")}
-    return replace(rules, wish=Summed(rules.wish), **coming)
-
-
-@dataclass(frozen=True)
-class Asking:
-    """A family that breaks ties anew for every situation it is asked about."""
-
-    family: Chooser
-
-    def choose(self, facts: Any) -> AnyRule:
-        """Return the rule that applies."""
-        TIES.get().anew()
-        return self.family.choose(facts)
-
-
-@dataclass(frozen=True)
-class Summed:
-    """A family of wishes: one that is a sum of two velocities, neither of which is 0, is rounded."""
-
-    family: Chooser
-
-    def choose(self, facts: Urge[Any]) -> AnyRule:
-        """Return the rule that applies."""
-        rule = self.family.choose(facts)
-        if not facts.drive.relative or not value_of(facts.carried):
-            return rule
-        return replace(
-            rule, effect=lambda urge: Near(value_of(rule.effect(urge))) if urge.drive.speed else urge.carried
-        )
-
-
-@dataclass(frozen=True)
-class Coming:
-    """A family of what comes: with a rounded speed that is taken to come nearer, and does not, it never comes."""
-
-    family: Chooser
-
-    def choose(self, facts: Nearing[Any]) -> AnyRule:
-        """Return the rule that applies."""
-        rule = self.family.choose(facts)
-        return rule if value_of(facts.speed) > 0 else replace(rule, effect=lambda nearing: Near(NEVER))
-
-
-def told_apart(rules: StepRules, tolerance: Fraction) -> StepRules:
-    """The rules with events of which no two come at one instant."""
-    counted, by = cycle(range(EVENTS_APART)), tolerance / EVENTS_APART**2
-    later = {name: Later(getattr(rules, name), by, counted) for name in ("contact", "wall", "loss")}
-    return replace(rules, **later)
-
-
-@dataclass(frozen=True)
-class Later:
-    """A family of what comes: each a little later than its rule says, by as many times a number as are counted."""
-
-    family: Chooser
-    by: Fraction
-    counted: Iterator[int]
-
-    def choose(self, facts: Nearing[Any]) -> AnyRule:
-        """Return the rule that applies."""
-        rule, late = self.family.choose(facts), self.by * next(self.counted)
-        return replace(rule, effect=lambda nearing: rule.effect(nearing) + late)
 
 
 def way(speed: Fraction) -> Direction:

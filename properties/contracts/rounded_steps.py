@@ -10,20 +10,20 @@ times that are known by their ways (`properties/engine/rounded.py`, `timed.py`).
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
-from properties.conformance.spread import OF_A_MEETING, OF_A_ROOM, OF_A_STRETCH, who_meets
+from properties.conformance.spread import Roundings, roundings_of, who_meets
 from properties.contracts.request import Seen
-from properties.contracts.rounding import LITTLE
+from properties.contracts.rounding import LITTLE, WIDER
 from properties.engine.rounded import Machine, Rounded
 from properties.engine.timed import Speed, Time, Ways
 from properties.given import Given
 from properties.worlds.storeys import Setting, any_places
 from reference.storeys import StoreyWorld, Terrain
 from spec.invariants import equal, every
-from spec.number import greater
+from spec.number import Truth, greater
 from spec.profiles import SteppedProfile
 from spec.rules.event import Nearing
 from spec.rules.step import Event, contacts, go_on, losses, next_instant, walls
@@ -35,19 +35,27 @@ COMING: Mapping[type, Callable[..., Iterator[Nearing[Any]]]] = {Contact: contact
 
 @dataclass(frozen=True)
 class Courses:
-    """A world at an instant in exact numbers, and as a machine has it then; how far each body is off, at most, and how
-    far its velocity may lead astray until the next instant.
+    """A world at an instant in exact numbers, and as a machine has it then, in which each body is so far away; how far
+    it is off, at most, and how far its velocity may lead astray until the next instant.
     """
 
     exact: StoreyWorld[Any]
     nearly: StoreyWorld[Any]
     speeds: Mapping[int, Speed]
+    away: Mapping[int, Any]
     off: Mapping[int, Any]
     astray: Mapping[int, Any]
 
     def apart(self, world: StoreyWorld[Any], body: int, way: Any) -> Any:
         """How far a body of the machine's world is from where it is in exact numbers when it has gone a way."""
         return world.places[body].left.held - self.exact.places[body].left - way
+
+    def same(self, one: Any, two: Any, within: Any) -> Truth:
+        """Whether two ways are nearly the same; on a ring, whole rounds change no place."""
+        round_ = self.exact.circumference
+        if round_ is None:
+            return equal(one, two, within)
+        return some(equal(one + round_ * rounds, two, within) for rounds in range(-4, 5))
 
 
 def any_courses(given: Given, setting: Setting) -> Courses:
@@ -57,12 +65,26 @@ def any_courses(given: Given, setting: Setting) -> Courses:
     off = {body: given.number(f"how far {body} is off at most") for body in bodies}
     astray = {body: given.number(f"how far the velocity of {body} leads astray at most") for body in bodies}
     speeds = {body: any_speed(given, machine, body, astray[body]) for body in bodies}
-    nearly = held_by(machine, exact)
-    for body, place in enumerate(nearly.places):
+    away, nearly = {}, held_by(machine, exact)
+    for body, place in enumerate(exact.places):
         besides = signed(given, f"how far {body} is off")
         given.assume(equal(besides, besides * 0, off[body]), "it is off by that at most")
-        nearly.places[body] = replace(place, left=Rounded(machine, place.left.held + besides + speeds[body].ways.late))
-    return Courses(exact, nearly, speeds, off, astray)
+        away[body] = besides + speeds[body].ways.late
+        left = once_round(given, place.left + away[body], body, exact.circumference)
+        nearly.places[body] = replace(nearly.places[body], left=Rounded(machine, left))
+    return Courses(exact, nearly, speeds, away, off, astray)
+
+
+def once_round(given: Given, place: Any, body: int, round_: Any) -> Any:
+    """A place, on a ring less than once round."""
+    if round_ is None:
+        return place
+    for by, way in ((round_, "left"), (round_ * -1, "right")):
+        if given.flag(f"{body} has come round to the {way}"):
+            place = place + by
+            break
+    given.assume((place >= 0) & (place < round_), "places on a ring are counted once round")
+    return place
 
 
 def any_speed(given: Given, machine: Machine, body: int, most: Any) -> Speed:
@@ -75,6 +97,14 @@ def any_speed(given: Given, machine: Machine, body: int, most: Any) -> Speed:
     )
     given.assume(equal(ways.astray, most * 0, most), "it leads astray by that at most")
     return Speed(machine=machine, held=signed(given, f"velocity of {body}"), ways=ways)
+
+
+def some(truths: Iterable[Truth]) -> Truth:
+    """Whether one of them holds, without deciding one after another."""
+    result: Any = False
+    for truth in truths:
+        result = result | truth
+    return result  # type: ignore[no-any-return]
 
 
 def signed(given: Given, name: str) -> Any:
@@ -101,29 +131,34 @@ def held_by(machine: Machine, world: StoreyWorld[Any]) -> StoreyWorld[Any]:
 
 
 def errors_spread_so(
-    profile: SteppedProfile, given: Given, setting: Setting, kind: type[Mark], meeting: int = OF_A_MEETING
+    profile: SteppedProfile, given: Given, setting: Setting, kind: type[Mark], roundings: Roundings | None = None
 ) -> None:
     """What comes is early or late by no more than what its two bodies are off, and some roundings, or than the instant
     before; nobody is off by more than before, and some roundings; and where there is room enough, that is used up.
     """
-    courses = any_courses(given, setting)
+    courses, roundings = any_courses(given, setting), roundings or roundings_of(setting.ring)
     looks_alike(given, courses)
+    comes_round_alike(given, courses)
     one, room = what_comes(given, courses, kind)
     time = Seen(getattr(profile.rules, FAMILIES[kind]), given).choose(one).effect(one)
     goes_on_in_time(given, courses, one, time)
     after = courses.nearly.copy()
     go_on(after, courses.speeds, time, set())
-    own = OF_A_ROOM + sum(courses.off[body] + courses.astray[body] for body in who_meets(one.mark) if body is not None)
+    bodies = [body for body in who_meets(one.mark) if body is not None]
+    own = roundings.room + sum(courses.off[body] + courses.astray[body] for body in bodies)
     late, earlier = one.speed.ways.late_after, greater(one.speed.ways.late, one.speed.ways.late * -1)
     given.ensure("it is late by what is off, or as the instant before", equal(late, late * 0, greater(own, earlier)))
     if room >= own + earlier:
         used = toward(one.mark, {body: courses.apart(after, body, late * 0) for body in courses.speeds})
         given.ensure("with room enough, it is late by what is off", equal(late, late * 0, own))
-        given.ensure("with room enough, the room is used up", equal(used * way_of(one.mark, courses), room, meeting))
+        given.ensure(
+            "with room enough, the room is used up",
+            courses.same(used * way_of(one.mark, courses), room, roundings.meeting),
+        )
     for body, speed in courses.speeds.items():
         off = courses.apart(after, body, speed.ways.due) - speed.ways.late_after
-        most = courses.off[body] + courses.astray[body] + OF_A_STRETCH
-        given.ensure(f"{body} is off by some roundings more", equal(off, off * 0, most))
+        most = courses.off[body] + courses.astray[body] + roundings.stretch
+        given.ensure(f"{body} is off by some roundings more", courses.same(off, off * 0, most))
 
 
 def what_comes(given: Given, courses: Courses, kind: type[Mark]) -> tuple[Nearing[Any], Any]:
@@ -178,13 +213,38 @@ def way_of(mark: Mark, courses: Courses) -> int:
 def looks_alike(given: Given, courses: Courses) -> None:
     """Assume that the same terrain is ahead of a body, and that who is over ground is so by more than what is off."""
     for body, place in enumerate(courses.exact.places):
-        away = courses.apart(courses.nearly, body, place.left * 0)
+        away = courses.away[body]
         for ground in courses.exact.terrain.ground(place.storey) if place.storey else ():
             over = before(ground.left, place.right, away) & before(place.left, ground.right, away)
             given.assume(over, "a body is over its ground by more than it is off")
-        for wall in courses.exact.terrain.on(place.storey):
+        for wall in courses.exact.terrain.on(place.storey) if courses.exact.ends is not None else ():
             beside = before(place.left, wall.left, away) | before(wall.left, place.left, away)
             given.assume(beside, "it is not where a wall begins")
+
+
+def comes_round_alike(given: Given, courses: Courses) -> None:
+    """Assume that on a ring two bodies are seen the same way round, and that nobody goes round more than once."""
+    round_, seen = courses.exact.circumference, courses.exact.copy()
+    if round_ is None:
+        return
+    seen.places = [replace(place, left=place.left.held, width=place.width.held) for place in courses.nearly.places]
+    for left, right in courses.exact.neighbours():
+        apart = courses.exact.gap(left, right) + courses.away[right] - courses.away[left]
+        given.assume(seen.gap(left, right) == apart, WIDER)
+    for body, place in enumerate(courses.exact.places):
+        for wall in courses.exact.terrain.on(place.storey):
+            for sign in (1, -1):
+                apart = [(wall.left - at) * sign for at in (place.left, seen.places[body].left)]
+                given.assume(seen.round(apart[1]) == seen.round(apart[0]) - courses.away[body] * sign, WIDER)
+        if place.support is not None:
+            offset = courses.exact.offset(body, place.support)
+            moved = offset + courses.away[body] - courses.away[place.support]
+            between = moved * 2 + place.width - courses.exact.places[place.support].width
+            given.assume(
+                (seen.offset(body, place.support) == moved) & equal(between, round_ * 0, round_ - LITTLE), WIDER
+            )
+    for speed in courses.speeds.values():
+        given.assume(equal(speed.ways.gone, round_ * 0, round_ - LITTLE), "nobody goes round more than once")
 
 
 def before(one: Any, two: Any, off: Any) -> Any:

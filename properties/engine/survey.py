@@ -162,11 +162,11 @@ def beyond(held: frozenset[str], conditions: Mapping[str, z3.BoolRef]) -> z3.Boo
 def largest(solver: z3.Solver, conditions: Mapping[str, z3.BoolRef]) -> frozenset[str]:
     """The conditions that can hold together with what a solver knows, each taken if it can hold with those before it.
 
-    They are taken by name. So it is always the same set, and none can be added. The solver has just found a model. In a
-    model of those taken so far, what holds need not be asked.
+    So it is always the same set, and none can be added. The solver has just found a model. In a model of those taken so
+    far, what holds need not be asked.
     """
     model, held = solver.model(), dict[str, z3.BoolRef]()
-    for name, formula in sorted(conditions.items()):
+    for name, formula in conditions.items():
         if not z3.is_true(model.eval(formula, model_completion=True)):
             if not can_hold(solver, [*held.values(), formula]):
                 continue
