@@ -12,7 +12,7 @@ import msgspec
 import numpy as np
 import pytest
 
-from properties.claims.rounding import INSTANTS, NEARLY, PAIR
+from properties.claims.rounding import INSTANTS, NEARLY, ON_RINGS, PAIR
 from properties.comparison.levels import any_level
 from properties.conformance.judge import Finding, expect, judge
 from properties.conformance.spread import ON_A_LINE, roundings_of, spread
@@ -41,6 +41,7 @@ from spec.rule import Family
 from spec.rules.clearance import CLEARANCE
 from spec.rules.event import CONTACT
 from spec.rules.push import PUSH
+from spec.rules.step import Instant
 from spec.storeys import Contact, Drive, Interval, short_way
 from spec.transform import with_numbers
 
@@ -96,7 +97,7 @@ def test_a_push_on_one_edge_loses_5_roundings_of_the_margin_and_2_more_each_time
             assert explore(partial(judged, partial(push, **fewer), THESIS)).counterexample is not None
 
 
-@pytest.mark.parametrize("instant", INSTANTS, ids=lambda one: one.id)
+@pytest.mark.parametrize("instant", [*INSTANTS, ON_RINGS[1]], ids=lambda one: one.id)
 def test_errors_spread_from_instant_to_instant_at_any_velocities(instant):
     assert explore(partial(judged, instant.program, REPAIRED)).proved
 
@@ -115,6 +116,11 @@ def test_a_wrong_rule_of_events_is_late_by_more():
     wrong = replace(REPAIRED.rules, contact=with_effect(CONTACT, "event/contact", later))
     shown = explore(partial(judged, two_that_meet, replace(REPAIRED, rules=wrong)))
     assert shown.counterexample is not None
+
+
+def test_a_machine_that_takes_the_last_instant_for_the_next_is_late(monkeypatch):
+    monkeypatch.setattr(rounded_steps, "next_instant", lambda coming, left: Instant(left, (), last=True))
+    assert explore(partial(judged, rounded_steps.first_comes_nearly_first, REPAIRED)).counterexample is not None
 
 
 def later(nearing):

@@ -123,8 +123,8 @@ CLAIMS: tuple[Claim, ...] = (
     Claim(
         "claim/step-nearly-exact-on-rings",
         "rounding",
-        "On a ring it is so of two that meet, and of who comes to a wall, with one rounding more for each place that "
-        "may have come round: with 6 roundings, 3, and 12.",
+        "What `invariant/step-nearly-exact` says holds on a ring of two that meet, and of who comes to a wall, with 6 "
+        "roundings, 3, and 12: a place that comes round is rounded once more.",
         STEP_NEARLY_EXACT.source,
         STEP_NEARLY_EXACT.id,
         REPAIRED,

@@ -210,8 +210,12 @@ class OfSteps:
         least, most = tolerance * slowest(asked[0]), self.plan.level.margin / PART * slowest(asked[0])
         apart = max(least, min(most, self.spread(first, asked).apart)) if tolerance else tolerance
         finding, rules, near = Finding.DIVERGES, self.profile.rules, nearly(before)
-        others = with_rounded_sums(rules), told_apart(rules, least)
-        ways = (rules, near), (rules, each_by_itself(near)), *((other, near) for other in others)
+        ways = (
+            (rules, near),
+            (with_rounded_sums(rules), near),
+            (rules, each_by_itself(near)),
+            (told_apart(rules, least), near),
+        )
         for some, where in ways if tolerance else ():
             try:
                 for outcome in self.ways(some, where, asked, apart, MORE_WORK * first.work):

@@ -10,7 +10,7 @@ times that are known by their ways (`properties/engine/rounded.py`, `timed.py`).
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -27,6 +27,7 @@ from spec.number import Truth, greater
 from spec.profiles import SteppedProfile
 from spec.rules.event import Nearing
 from spec.rules.step import Event, contacts, go_on, losses, next_instant, walls
+from spec.stepped import some
 from spec.storeys import AtWall, Contact, Interval, Mark, Seat
 
 FAMILIES: Mapping[type, str] = {Contact: "contact", AtWall: "wall", Seat: "loss"}
@@ -97,14 +98,6 @@ def any_speed(given: Given, machine: Machine, body: int, most: Any) -> Speed:
     )
     given.assume(equal(ways.astray, most * 0, most), "it leads astray by that at most")
     return Speed(machine=machine, held=signed(given, f"velocity of {body}"), ways=ways)
-
-
-def some(truths: Iterable[Truth]) -> Truth:
-    """Whether one of them holds, without deciding one after another."""
-    result: Any = False
-    for truth in truths:
-        result = result | truth
-    return result  # type: ignore[no-any-return]
 
 
 def signed(given: Given, name: str) -> Any:
