@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from reference.batch import Batch, drives_of
+from reference.batch import Batch, along_rows, drives_of, storey_of
 from reference.storeys import StoreyWorld
 from reference.world import World
 from spec.graph import Direction
@@ -54,7 +54,9 @@ def furthest(world: StoreyWorld[Any], drives: Mapping[int, Drive[Any]], duration
             pairs = pairwise(bodies) if sign > 0 else (pair[::-1] for pair in pairwise(bodies))
             rooms = [world.gap(*pair) - world.margin for pair in pairs]
             walls = [world.to_wall(body, direction) for body in bodies]
-            found.update((b, far * sign) for b, far in zip(bodies, along_row(wishes, rooms, walls), strict=True))
+            found.update(
+                (b, far * sign) for b, far in zip(bodies, along_row(wishes, rooms, walls, direction), strict=True)
+            )
     return found
 
 
@@ -85,19 +87,33 @@ def wish(world: StoreyWorld[Any], body: int, drive: Drive[Any], duration: Any, f
     return drive.speed * duration + (found[support] if drive.relative and support is not None else 0)
 
 
-def along_row(wishes: list[Any], rooms: list[Any], walls: list[Any]) -> Any:
-    """How far each of a row goes, from behind: cumulative maxima of wishes, minima of what walls allow.
-
-    With the rooms behind it added, what a body goes and what it passes on are in one measure.
-    """
-    used = np.concatenate([[wishes[0] * 0], np.cumsum(np.array(rooms, dtype=object))])
-    pushed = np.maximum.accumulate(np.array([max(one, one * 0) for one in wishes], dtype=object) + used)
-    allowed = np.minimum.accumulate((np.array(walls, dtype=object) + used)[::-1])[::-1]
-    return np.minimum(pushed, allowed) - used
+def along_row(wishes: list[Any], rooms: list[Any], walls: list[Any], direction: Direction) -> Any:
+    """How far each of a row goes in a direction, by the text of a batch that has this row only; all from behind."""
+    row = storey_of(0, np.arange(len(wishes)), np.zeros(0, int))
+    starts = np.cumsum(np.array([wishes[0] * 0, *rooms], object))
+    from_left = (np.array(one, object)[::direction] for one in (wishes, starts, walls))
+    return along_rows(row, direction, *from_left)[0][::direction]
 
 
 def by_batch(world: StoreyWorld[Any], drives: Mapping[int, Drive[Any]], duration: Any) -> dict[int, Any] | None:
     """How far each body moves in a step if a batch has a closed form of that, positive to the right; else None."""
-    batch = Batch([world], REPAIRED.rules)
-    far, fits = batch.furthest(drives_of([drives]), np.array([duration]))
+    batch = batch_of(world, drives)
+    far, fits = batch.furthest(batch.layout, batch.left, np.array([duration]))
     return dict(zip(batch.layout.order.tolist(), far, strict=True)) if fits[0] else None
+
+
+def kept_by_batch(world: StoreyWorld[Any], drives: Mapping[int, Drive[Any]], duration: Any) -> dict[int, Any] | None:
+    """The speed of each body if a batch says by its closed form that all keep theirs for a time; else None."""
+    batch, durations = batch_of(world, drives), np.array([duration])
+    far, fits = batch.furthest(batch.layout, batch.left, durations)
+    if not fits[0]:
+        return None
+    speeds, straight = batch.straight(batch.layout, far, durations)
+    return dict(zip(batch.layout.order.tolist(), speeds, strict=True)) if straight[0] else None
+
+
+def batch_of(world: StoreyWorld[Any], drives: Mapping[int, Drive[Any]]) -> Batch:
+    """A batch of one level, whose bodies are driven so."""
+    batch = Batch([world], REPAIRED.rules)
+    batch.drive(drives_of([drives]))
+    return batch

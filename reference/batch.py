@@ -21,6 +21,9 @@ begins, with a row above that reaches over the wall; so it does not fit, and eve
 **Supports.** How far a body slides on its support grows while the body is not stopped, and lessens when it is. So the
 greatest way that it slides is where it ends if nothing stops it, and less than its own way else. If that is less than
 what would make it lose its support, it keeps that.
+
+**Going on.** If all of a level keep their speeds for a time ahead, a step of any part of it is one sum. So it is found
+out for how long nothing comes, and a level is looked at again only then.
 """
 
 from __future__ import annotations
@@ -33,17 +36,21 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from reference.rounding import ROUNDINGS, UNIT_ROUNDOFF
 from reference.stepping import run
 from reference.storeys import Place, StoreyWorld
 from spec.graph import Direction
 from spec.number import greater, lesser
-from spec.rules.step import StepRules
+from spec.rules.step import StepRules, step
 from spec.storeys import Drive, Interval
 
 Array = NDArray[Any]
 
 MANY_ROWS = 100
 """As many rows are swept place by place; fewer are swept in one operation, which takes longer for each body."""
+
+LONGER = 64
+"""So many times as long as something has gone on it is tried whether it goes on."""
 
 
 @dataclass(frozen=True)
@@ -134,13 +141,14 @@ class Layout:
 
     Attributes:
         order: which bodies they are, of all; all else is in this order.
+        kinds: of each body its storey, its row, its place in that, and whether it stands on ground above the floor.
         riders: those that stand on others.
         fallers: those that stand on ground above the floor.
     """
 
     order: Array
     level: Array
-    row: Array
+    kinds: Array
     width: Array
     margin: Array
     support: Array
@@ -148,6 +156,12 @@ class Layout:
     storeys: tuple[Storey, ...]
     riders: Array
     fallers: Array
+
+    @property
+    def row(self) -> Array:
+        """The row of each body."""
+        found: Array = self.kinds[1]
+        return found
 
 
 def lay_out(
@@ -163,19 +177,35 @@ def lay_out(
     sort = np.lexsort((row, -length[row], place, storey))
     order, whereabouts = bodies[sort], np.zeros(len(level), int)
     whereabouts[order] = np.arange(len(order))
-    rides = (support != bodies)[sort]
-    storeys = tuple(storeys_of(storey[sort], place[sort], rides))
-    return Layout(
-        order,
-        level[order],
-        row[sort],
-        width[order],
-        margin[order],
-        whereabouts[support[sort]],
-        np.concatenate([one.edges for one in found])[sort].T.copy(),
-        storeys,
-        np.flatnonzero(rides),
-        np.flatnonzero(falls[sort]),
+    kinds, edges = np.array([storey, row, place, falls])[:, sort], np.concatenate([one.edges for one in found])[sort].T
+    return laid_out(order, level[order], kinds, width[order], margin[order], whereabouts[support[sort]], edges.copy())
+
+
+def laid_out(
+    order: Array, level: Array, kinds: Array, width: Array, margin: Array, support: Array, edges: Array
+) -> Layout:
+    """A layout of bodies that are in order."""
+    storey, _, place, falls = kinds
+    rides = support != np.arange(len(order))
+    storeys = tuple(storeys_of(storey, place, rides))
+    riders, fallers = np.flatnonzero(rides), np.flatnonzero(falls)
+    return Layout(order, level, kinds, width, margin, support, edges, storeys, riders, fallers)
+
+
+def part_of(layout: Layout, levels: Array) -> Layout:
+    """The layout of some of its levels."""
+    if levels.all():
+        return layout
+    those, found = np.flatnonzero(levels[layout.level]), np.zeros(len(layout.order), int)
+    found[those] = np.arange(len(those))
+    return laid_out(
+        layout.order[those],
+        layout.level[those],
+        layout.kinds[:, those],
+        layout.width[those],
+        layout.margin[those],
+        found[layout.support[those]],
+        layout.edges[:, those],
     )
 
 
@@ -274,13 +304,22 @@ def sweep(layout: Layout, storey: Storey, left: Array, wish: Array, found: Ways)
         far = wish[those] * direction
         if not np.any(far > 0):
             continue
-        room = to_walls(layout, left, those, direction)
-        start = place * direction
-        pushed, allowed = start + np.maximum(far, 0), start + np.maximum(room, 0)
-        accumulate(np.maximum, pushed, storey, direction)
-        accumulate(np.minimum, allowed, storey, direction.opposite)
-        found.far[those] += (np.minimum(pushed, allowed) - start) * direction
-        found.stopped[those] |= pushed > allowed
+        walls = to_walls(layout, left, those, direction)
+        far, stopped = along_rows(storey, direction, far, place * direction, walls)
+        found.far[those] += far * direction
+        found.stopped[those] |= stopped
+
+
+def along_rows(storey: Storey, direction: Direction, wishes: Array, start: Array, walls: Array) -> tuple[Array, Array]:
+    """How far the bodies of rows come in a direction, and who does not come as far as it wishes or is pushed.
+
+    `start` is the room in all up to each body, in that direction: there, who is pushed comes where the one behind does.
+    `walls` is how far the walls ahead are. The closed form of a row is this text, here and in its proof.
+    """
+    pushed, allowed = start + np.maximum(wishes, 0), start + walls
+    accumulate(np.maximum, pushed, storey, direction)
+    accumulate(np.minimum, allowed, storey, direction.opposite)
+    return np.minimum(pushed, allowed) - start, pushed > allowed
 
 
 def rooms(layout: Layout, storey: Storey, left: Array) -> Array:
@@ -293,11 +332,12 @@ def rooms(layout: Layout, storey: Storey, left: Array) -> Array:
 
 
 def to_walls(layout: Layout, left: Array, those: slice, direction: Direction) -> Array:
-    """How far bodies are from the walls on one side."""
+    """How far bodies are from the walls on one side; not at all if a rounding has put them there."""
     left_walls, right_walls = layout.edges[:2, those]
     right = left[those] + layout.width[those]
-    room: Array = right_walls - right if direction is Direction.RIGHT else left[those] - left_walls
-    return room
+    room = right_walls - right if direction is Direction.RIGHT else left[those] - left_walls
+    found: Array = np.maximum(room, 0)
+    return found
 
 
 def accumulate(operation: np.ufunc, values: Array, storey: Storey, direction: Direction) -> None:
@@ -358,12 +398,24 @@ class Batch:
     """Many levels of storeys, in the kind of numbers that the first of them has: floats, or any in arrays of objects.
 
     Bodies are counted through all levels: those of a level begin at `first`.
+
+    Attributes:
+        left: where the bodies are.
+        fits: which levels had a closed form when they were last looked at.
+        lead: the speed of who is driven in each level, if anybody is.
+        speck: how far roundings may keep a body of each level from where it should come.
+        begun, rate, gone, ahead: where bodies were when their level was last looked at, and how they have moved since:
+            at these speeds, for so long, of a time for which nothing comes. That is less than 0 if it is not known.
+        before, time, far: room for what a step computes. No operation writes where it reads: that takes longer.
     """
 
-    def __init__(self, worlds: Sequence[StoreyWorld[Any]], rules: StepRules) -> None:
-        """Take the levels as they are; the rules are for steps without a closed form."""
+    def __init__(self, worlds: Sequence[StoreyWorld[Any]], rules: StepRules, slack: Any = 0) -> None:
+        """Take the levels as they are; the rules are for steps without a closed form, and nobody is driven.
+
+        Who would come as near as `slack` to losing its support goes by events: in floats it may be lost or not.
+        """
         dtype = np.float64 if isinstance(worlds[0].margin, float) else object
-        self.rules, self.worlds = rules, [world.copy() for world in worlds]
+        self.rules, self.slack, self.worlds = rules, slack, [world.copy() for world in worlds]
         sizes = np.array([len(world.places) for world in worlds])
         places = [place for world in worlds for place in world.places]
         self.first, self.level = np.cumsum(sizes) - sizes, np.repeat(np.arange(len(worlds)), sizes)
@@ -373,6 +425,11 @@ class Batch:
         self.plain = np.array([is_plain(world) for world in worlds])
         self.standing = {i: standing(worlds[i], dtype) for i in np.flatnonzero(self.plain).tolist()}
         self.layout = self.lay_out()
+        self.drives = Drives(np.zeros(len(places), dtype), np.ones(len(places), bool))
+        self.fits, self.speck = self.plain.copy(), np.array([speck(world) for world in worlds], dtype)
+        self.begun, self.rate, self.time, self.far = self.left.copy(), self.left * 0, self.left * 0, self.left * 0
+        self.lead, self.gone, self.before = self.speck * 0, self.speck * 0, self.speck * 0
+        self.ahead = self.speck * 0 - 1
 
     def lay_out(self) -> Layout:
         """Put the bodies of all levels that may have a closed form in order, as they stand."""
@@ -383,46 +440,174 @@ class Batch:
 
     def world(self, level: int) -> StoreyWorld[Any]:
         """The storeys of a level as they are now."""
-        world, start = self.worlds[level].copy(), self.first[level]
-        lefts = self.left[start : start + len(world.places)].tolist()
-        world.places = [replace(place, left=left) for place, left in zip(world.places, lefts, strict=True)]
+        return self.at(level, self.left)
+
+    def at(self, level: int, lefts: Array) -> StoreyWorld[Any]:
+        """The storeys of a level with its bodies somewhere else."""
+        world, those = self.worlds[level].copy(), self.bodies(level)
+        world.places = [
+            replace(place, left=left) for place, left in zip(world.places, lefts[those].tolist(), strict=True)
+        ]
         return world
 
-    def step(self, drives: Drives, durations: Array, slack: Any = 0) -> Array:
-        """Drive all bodies of each level for a time of its own; return for which levels there was a closed form.
+    def bodies(self, level: int) -> slice:
+        """Where the bodies of a level are."""
+        return slice(self.first[level], self.first[level] + len(self.worlds[level].places))
 
-        Who would come as near as `slack` to losing its support goes by events: in floats it may be lost or not.
+    def drive(self, drives: Drives) -> None:
+        """Let bodies have these drives from now on."""
+        changed = (drives.speed != self.drives.speed) | (drives.relative != self.drives.relative)
+        self.drives = Drives(drives.speed.copy(), drives.relative.copy())
+        self.ahead[self.level[changed]] = -1
+        driven = moves(drives.speed)
+        self.lead[self.level[driven]] = drives.speed[driven]
+
+    def step(self, durations: Array) -> None:
+        """Drive all bodies of each level for a time of its own.
 
         Raises:
             Endless: if rules are chosen too often.
         """
-        far, fits = self.furthest(drives, durations, slack)
-        self.left[self.layout.order] += np.where(fits[self.layout.level], far, 0)
-        changed = [self.by_events(level, drives, durations[level]) for level in np.flatnonzero(~fits).tolist()]
+        self.gone, self.before = np.add(self.gone, durations, out=self.before), self.gone
+        late = self.gone > self.ahead
+        if np.count_nonzero(late):
+            self.look(late, durations)
+        self.gone.take(self.level, out=self.time, mode="clip")
+        np.multiply(self.rate, self.time, out=self.far)
+        np.add(self.begun, self.far, out=self.left)
+
+    def look(self, levels: Array, durations: Array) -> None:
+        """Look at some levels, in which something may come before a step ends."""
+        going = levels & (self.ahead > 0)
+        fresh = levels & ~self.go_on(going) if going.any() else levels
+        if fresh.any():
+            self.begin(fresh, durations)
+
+    def go_on(self, levels: Array) -> Array:
+        """Let those of some levels go on as they do in which nothing comes now; return which they are.
+
+        A much longer time is tried, and then that until which, by the closed form of the longer one, all may go on.
+        """
+        found, sooner = self.kept(levels & self.fits, self.gone * LONGER)
+        again, _ = self.kept(levels & self.fits & ~found, sooner)
+        by_rules = [level for level in np.flatnonzero(levels & ~self.fits).tolist() if self.kept_by_rules(level)]
+        found |= again
+        found[by_rules] = True
+        return found
+
+    def kept(self, levels: Array, times: Array) -> tuple[Array, Array]:
+        """In which of some levels all keep their speeds for a time, and sooner times for the others."""
+        layout = part_of(self.layout, levels & self.plain)
+        far, fits = self.furthest(layout, self.begun, times)
+        _, straight = self.straight(layout, far, times)
+        found: Array = levels & fits & straight & (times >= self.gone)
+        self.ahead[found] = times[found]
+        return found, self.sooner(layout, far, times)
+
+    def kept_by_rules(self, level: int) -> bool:
+        """Whether nothing comes in a level now by the rules; nor does it before the first event.
+
+        If somebody settles at that, it is looked at again half the time before: a step may end just then.
+        """
+        longer = self.gone[level] * LONGER
+        moment = next(step(self.rules, self.at(level, self.begun), self.drives_of(level), longer))
+        if moment.moved <= self.gone[level]:
+            return False
+        self.ahead[level] = (self.gone[level] + moment.moved) / 2 if moment.changes else moment.moved
+        return True
+
+    def sooner(self, layout: Layout, far: Array, times: Array) -> Array:
+        """For each level the shortest time for which somebody of a layout went or stood who did both in a longer one.
+
+        If it did each once, it changed then. Where nobody did both, it is twice the time that the level has gone.
+        """
+        found, level, whole = self.gone * 2, layout.level, (self.lead * times)[layout.level]
+        least = np.minimum(np.abs(far), np.abs(whole - far))
+        those = np.flatnonzero(~is_near(least, self.speck[level]))
+        until = np.full(len(times), np.inf).astype(times.dtype)
+        np.minimum.at(until, level[those], least[those] / np.abs(self.lead[level[those]]))
+        np.copyto(found, until, where=until < np.inf)
+        return found
+
+    def begin(self, levels: Array, durations: Array) -> None:
+        """Take a step in some levels, from where they are."""
+        those, layout = levels[self.level], part_of(self.layout, levels & self.plain)
+        np.copyto(self.begun, self.left, where=those)
+        np.copyto(self.rate, 0, where=those)
+        self.ahead[levels], self.gone[levels] = -1, 0
+        far, fits = self.furthest(layout, self.left, durations)
+        rate, straight = self.straight(layout, far, durations)
+        self.fits[levels], straight = fits[levels], levels & fits & straight
+        self.ahead[straight] = self.gone[straight] = durations[straight]
+        goes, once = straight[layout.level], (levels & fits & ~straight)[layout.level]
+        self.rate[layout.order[goes]] = rate[goes]
+        self.begun[layout.order[once]] += far[once]
+        changed = [self.by_events(level, durations[level]) for level in np.flatnonzero(levels & ~fits).tolist()]
         if any(changed):
             self.layout = self.lay_out()
-        return fits
 
-    def furthest(self, drives: Drives, durations: Array, slack: Any = 0) -> tuple[Array, Array]:
-        """How far each body of the layout goes, to the right, and which levels that is so for."""
-        order = self.layout.order
-        far, fits = furthest(
-            self.layout, self.left[order], Drives(drives.speed[order], drives.relative[order]), durations, slack
-        )
+    def furthest(self, layout: Layout, lefts: Array, durations: Array) -> tuple[Array, Array]:
+        """How far each body of a layout goes from a place, to the right, and which levels that is so for."""
+        order = layout.order
+        drives = Drives(self.drives.speed[order], self.drives.relative[order])
+        far, fits = furthest(layout, lefts[order], drives, durations, self.slack)
         return far, fits & self.plain
 
-    def by_events(self, level: int, drives: Drives, duration: Any) -> bool:
+    def straight(self, layout: Layout, far: Array, durations: Array) -> tuple[Array, Array]:
+        """The speeds of the bodies of a layout that come so far, and in which levels all keep theirs for the time.
+
+        Where there is a closed form, all speeds are 0 or that of who is driven. So who comes as far as that leads has
+        had it all the time, and who comes nowhere has stood; in floats, but for roundings, which are to be fewer.
+        """
+        level, whole = layout.level, self.lead * durations
+        result = ~is_near(whole, self.speck * 2) | ~moves(self.lead)
+        speck, goes = self.speck[level], ~is_near(far, self.speck[level])
+        result[level[goes & ~is_near(far - whole[level], speck)]] = False
+        return np.where(goes, self.lead[level], 0), result
+
+    def by_events(self, level: int, duration: Any) -> bool:
         """Drive the bodies of a level from event to event; whether any stands otherwise then."""
-        world, start = self.world(level), self.first[level]
-        bodies = slice(start, start + len(world.places))
-        pairs = zip(drives.speed[bodies].tolist(), drives.relative[bodies].tolist(), strict=True)
-        run(self.rules, world, {body: Drive(*pair) for body, pair in enumerate(pairs)}, duration)
-        self.worlds[level], self.left[bodies] = world, [place.left for place in world.places]
+        those, (world, rates) = self.bodies(level), self.run(level, duration)
+        if rates is not None:
+            self.rate[those], self.ahead[level], self.gone[level] = rates, duration, duration
+            return False
+        self.worlds[level], self.begun[those] = world, [place.left for place in world.places]
         if not self.plain[level]:
             return False
         before, now = self.standing[level], standing(world, self.left.dtype)
         self.standing[level] = now
         return not (np.array_equal(before.kinds, now.kinds) and np.array_equal(before.edges, now.edges))
+
+    def run(self, level: int, duration: Any) -> tuple[StoreyWorld[Any], list[Any] | None]:
+        """A level after a time, from event to event, and the speeds of its bodies if nothing comes until that is over.
+
+        On a ring these tell nothing: who comes round begins anew.
+        """
+        world = self.world(level)
+        moments, _ = run(self.rules, world, self.drives_of(level), duration)
+        if world.circumference is not None or len(moments) > 1 or moments[0].events or moments[0].changes:
+            return world, None
+        return world, [moments[0].velocities[body] for body in range(len(world.places))]
+
+    def drives_of(self, level: int) -> dict[int, Drive[Any]]:
+        """The drives of the bodies of a level."""
+        those = self.bodies(level)
+        return dict(enumerate(map(Drive, self.drives.speed[those].tolist(), self.drives.relative[those].tolist())))
+
+
+def is_near(values: Array, far: Array) -> Array:
+    """Which values are no further from 0 than that."""
+    found: Array = (values <= far) & (values * -1 <= far)
+    return found
+
+
+def speck(world: StoreyWorld[Any]) -> Any:
+    """How far roundings may keep a body of a level from where it should come: in floats, some for each body."""
+    ends = world.terrain.ends
+    if ends is None or not isinstance(world.margin, float):
+        return world.margin * 0
+    most = max(abs(ends.left), abs(ends.right)) * len(world.places)
+    return float(UNIT_ROUNDOFF["float64"]) * ROUNDINGS / 2 * most
 
 
 def is_plain(world: StoreyWorld[Any]) -> bool:

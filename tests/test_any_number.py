@@ -30,8 +30,10 @@ from properties.contracts import bounces, endings, one_drive, stretches
 from properties.contracts.request import judged
 from properties.engine.explore import explore
 from properties.evidence.courses import drive
+from reference import batch
 from reference.storeys import StoreyWorld
 from spec.conditions import Condition
+from spec.graph import Direction
 from spec.profiles import REPAIRED
 from spec.rule import Family
 from spec.rules import step
@@ -182,13 +184,24 @@ def test_a_world_that_says_too_early_that_a_support_is_lost_is_refuted(monkeypat
 
 
 def test_a_wrong_closed_form_is_refuted(monkeypatch):
-    def without_walls_beyond_the_next(wishes, rooms, walls):
-        used = np.concatenate([[wishes[0] * 0], np.cumsum(np.array(rooms, dtype=object))])
-        pushed = np.maximum.accumulate(np.array(wishes, dtype=object) + used)
-        return np.minimum(pushed, np.array(walls, dtype=object) + used) - used
+    right = batch.accumulate
+
+    def without_walls_beyond_the_next(operation, values, storey, direction):
+        if operation is not np.minimum:
+            right(operation, values, storey, direction)
 
     assert broken(RESTS["one_drive/sums-are-the-closed-form"]) == ()
-    monkeypatch.setattr(one_drive, "along_row", without_walls_beyond_the_next)
+    monkeypatch.setattr(batch, "accumulate", without_walls_beyond_the_next)
+    assert "they agree" in broken(RESTS["one_drive/sums-are-the-closed-form"])
+
+
+def test_a_closed_form_that_sweeps_walls_to_one_side_only_is_refuted(monkeypatch):
+    right = batch.accumulate
+
+    def to_the_left(operation, values, storey, direction):
+        right(operation, values, storey, Direction.LEFT if operation is np.minimum else direction)
+
+    monkeypatch.setattr(batch, "accumulate", to_the_left)
     assert "they agree" in broken(RESTS["one_drive/sums-are-the-closed-form"])
 
 

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from library import first_step
 
-from properties.claims.repaired import BATCHES
+from properties.claims.repaired import BATCHES, GOING_ON
 from properties.closed_form import by_batch
 from properties.contracts.request import judged
 from properties.engine.explore import explore
@@ -117,10 +117,11 @@ def test_many_levels_at_once_are_where_events_lead_in_exact_numbers(first):
     made = outings(200 if first == 0 else 2000, first)
     batch = Batch([one.world() for one in made], REPAIRED.rules)
     drives, durations = drives_of([one.drives_by_body for one in made]), np.array([one.duration for one in made])
+    batch.drive(drives)
     for _ in range(2):
         before = [batch.world(level) for level in range(len(made))]
-        fits = batch.step(drives, durations)
-        assert 0.1 < fits.mean() < 0.5
+        batch.step(durations)
+        assert 0.1 < batch.fits.mean() < 0.5
         for level, one in enumerate(made):
             after = by_events(before[level], one.drives_by_body, one.duration)
             assert batch.world(level).places == after.places
@@ -130,17 +131,126 @@ def test_many_levels_at_once_are_where_events_lead_in_exact_numbers(first):
 @pytest.mark.parametrize("many", [300, pytest.param(3000, marks=pytest.mark.slow)])
 def test_many_levels_at_once_are_within_roundings_of_where_events_lead_exactly(many):
     made = outings(many, 50_000)
-    batch = Batch([in_floats(one.world()) for one in made], REPAIRED.rules)
+    batch = Batch([in_floats(one.world()) for one in made], REPAIRED.rules, slack=2.0**-40)
     drives, durations = drives_of([floating(one.drives_by_body) for one in made]), [float(one.duration) for one in made]
     before = [exactly(batch.world(level)) for level in range(len(made))]
-    fits = batch.step(drives, np.array(durations), slack=2.0**-40)
-    assert fits.mean() > 0.1
-    for level in np.flatnonzero(fits).tolist():
+    batch.drive(drives)
+    batch.step(np.array(durations))
+    assert batch.fits.mean() > 0.1
+    for level in np.flatnonzero(batch.fits).tolist():
         after = by_events(before[level], made[level].drives_by_body, Fraction(durations[level]))
         assert seats(after) == seats(before[level])
         most = UNIT_ROUNDOFF["float64"] * ROUNDINGS * max(after.ends.right, after.ends.left)
         off = [abs(Fraction(now) - right) for now, right in zip(lefts(batch.world(level)), lefts(after), strict=True)]
         assert max(off) <= most
+
+
+def ticks_agree(made, ticks):
+    """Whether a batch is where events lead after each of some ticks, of which the second half is driven backwards."""
+    batch, durations = Batch([one.world() for one in made], REPAIRED.rules), [one.duration / ticks for one in made]
+    for tick in range(ticks):
+        turned = [backwards(one.drives_by_body) if 2 * tick >= ticks else one.drives_by_body for one in made]
+        before = [batch.world(level) for level in range(len(made))]
+        batch.drive(drives_of(turned))
+        batch.step(np.array(durations))
+        for level, step in enumerate(zip(before, turned, durations, strict=True)):
+            if batch.world(level).places != by_events(*step).places:
+                return False
+    return True
+
+
+def test_tick_after_tick_levels_are_where_events_lead_in_exact_numbers():
+    assert ticks_agree(outings(40), 8)
+
+
+def all_straight(batch, layout, far, durations, right=Batch.straight):
+    """As if all kept their speeds all the time."""
+    return right(batch, layout, far, durations)[0], np.ones(len(durations), bool)
+
+
+def goes_on(batch, levels):
+    """As if nothing came any more."""
+    batch.ahead[levels] = 1000
+    return levels
+
+
+def not_heard(batch, drives, right=Batch.drive):
+    """As if levels in which drives change went on."""
+    ahead = batch.ahead.copy()
+    right(batch, drives)
+    batch.ahead = ahead
+
+
+def always_straight(batch, level, duration, right=Batch.run):
+    """As if nothing came in steps without a closed form."""
+    before = lefts(batch.world(level))
+    world, rates = right(batch, level, duration)
+    return world, rates or [(now - left) / (duration or 1) for now, left in zip(lefts(world), before, strict=True)]
+
+
+def always_kept(batch, level):
+    """As if, without a closed form, nothing came any more."""
+    batch.ahead[level] = 1000
+    return True
+
+
+def of_others(layout, levels, right=batches.part_of):
+    """The layout of other levels."""
+    return right(layout, np.roll(levels, 1))
+
+
+@pytest.mark.parametrize(
+    ("place", "name", "wrong"),
+    [
+        (Batch, "straight", all_straight),
+        (Batch, "go_on", goes_on),
+        (Batch, "drive", not_heard),
+        (Batch, "run", always_straight),
+        (Batch, "kept_by_rules", always_kept),
+        (batches, "part_of", of_others),
+    ],
+)
+def test_a_batch_that_goes_on_wrongly_is_not_where_events_lead(monkeypatch, place, name, wrong):
+    monkeypatch.setattr(place, name, wrong)
+    assert not ticks_agree(outings(40), 8)
+
+
+def test_while_nothing_comes_levels_are_looked_at_seldom(monkeypatch):
+    looks, right = [], Batch.look
+    monkeypatch.setattr(Batch, "look", lambda batch, *rest: (looks.append(1), right(batch, *rest)))
+    world = line(30, (), (0, 1, 1, None), (0, 3, 1, None), (1, 3, 1, 1))
+    batch = Batch([in_floats(world)], REPAIRED.rules)
+    batch.drive(drives_of([floating(driven(world, b0=1))]))
+    for _ in range(2500):
+        batch.step(np.array([0.01]))
+    assert batch.left.tolist() == pytest.approx([26, 27.25, 27.25])
+    assert len(looks) < 50
+
+
+def test_in_floats_a_row_that_is_pushed_tick_by_tick_is_within_roundings_of_where_it_comes_exactly():
+    world = in_floats(line(28, (), *[(0, Fraction(1 + 14 * i, 10), Fraction(1, 3), None) for i in range(8)]))
+    batch, tick = Batch([world], REPAIRED.rules), 0.013
+    speeds = [1, *[0] * 7]
+    batch.drive(drives_of([{body: Drive(float(speed), relative=False) for body, speed in enumerate(speeds)}]))
+    drives = {body: Drive(Fraction(speed), relative=False) for body, speed in enumerate(speeds)}
+    for number in range(2000):
+        before = batch.world(0)
+        batch.step(np.array([tick]))
+        if number % 25 == 0:
+            after = by_events(exactly(before), drives, Fraction(tick))
+            off = [abs(Fraction(now) - right) for now, right in zip(lefts(batch.world(0)), lefts(after), strict=True)]
+            assert max(off) <= batch.speck[0]
+    assert batch.left[-1] == pytest.approx(28 - 1 / 3)
+
+
+def test_in_floats_who_walks_as_slowly_as_roundings_does_not_stand():
+    world = line(30, (), (0, 1, 1, None), (0, 9, 1, None))
+    batch = Batch([in_floats(world)], REPAIRED.rules)
+    way = float(batch.speck[0]) * 3 / 4
+    batch.drive(drives_of([floating(driven(world, b0=1))]))
+    for _ in range(1000):
+        batch.step(np.array([way]))
+    assert batch.left[0] - 1 == pytest.approx(1000 * way, rel=0.01)
 
 
 def exactly(world):
@@ -159,10 +269,12 @@ def test_in_floats_who_stands_stays_to_the_bit_and_rows_do_not_creep():
     bodies = [(0, Fraction(1 + 6 * i, 10), Fraction(1, 3), None) for i in range(10)]
     batch = Batch([in_floats(line(30, (), *bodies))], REPAIRED.rules)
     drives = drives_of([{0: Drive(1.0)} | {body: Drive(0.0) for body in range(1, 10)}])
-    batch.step(drives, np.array([3.3]))
+    batch.drive(drives)
+    batch.step(np.array([3.3]))
     rest = batch.left.copy()
+    batch.drive(Drives(drives.speed * 0, drives.relative))
     for _ in range(100):
-        batch.step(Drives(drives.speed * 0, drives.relative), np.array([1.0]))
+        batch.step(np.array([1.0]))
     assert np.array_equal(batch.left, rest)
 
 
@@ -200,6 +312,14 @@ def test_a_wrong_batch_is_refuted(monkeypatch):
     assert outcome.counterexample is None
     assert outcome.promises > 0
     monkeypatch.setattr(batches, "rooms", WRONG["rooms"])
+    outcome = explore(lambda given: judged(pushes.program, REPAIRED, given))
+    assert outcome.counterexample is not None
+    assert "they are so far on" in outcome.counterexample.broken
+
+
+def test_a_batch_in_which_all_are_said_to_keep_their_speeds_is_refuted(monkeypatch):
+    pushes = next(one for one in GOING_ON if "(a push)" in one.id)
+    monkeypatch.setattr(Batch, "straight", all_straight)
     outcome = explore(lambda given: judged(pushes.program, REPAIRED, given))
     assert outcome.counterexample is not None
     assert "they are so far on" in outcome.counterexample.broken

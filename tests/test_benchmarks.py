@@ -39,10 +39,11 @@ def test_more_bodies_than_two_are_merged_as_they_move_in_turn():
 
 @pytest.mark.parametrize("scene", [Pushed("row", 3, 2), Pushed("stack", 3)], ids=str)
 def test_all_ways_to_step_bring_the_bodies_to_the_same_places(scene):
-    ways = by_events(scene, floats=False), by_events(scene, floats=True), at_once(scene, 1), at_once(scene, 50)
+    closed = at_once(scene, 1), at_once(scene, 50, anew=True), at_once(scene, 50)
+    ways = by_events(scene, floats=False), by_events(scene, floats=True), *closed
     for way in ways:
         way.program()
-    assert {round(way.come(), 9) for way in ways} == {float(SPEED * TICK * scene.ticks)}
+    assert {round(way.come() / way.ticks, 9) for way in ways} == {float(SPEED * TICK)}
     assert ways[-1].steps == scene.ticks * (50 // len(scene.world().places))
     assert ways[-1].counted() == {"share": 1}
 

@@ -55,7 +55,7 @@ FLOORS_OF_VERDICTS = {
         rest-up-to-the-coefficient rest-up-to-the-printed-slope way-without-friction way-without-friction/repaired
         drag-leaves-a-part drag-leaves-a-part/repaired drag-takes-by-the-way
         enough-for-the-plane enough-for-the-plane/overshoot enough-for-three enough-for-three/overshoot
-        batches-end-alike step-instants whole-steps requests-end-alike
+        batches-end-alike batches-go-on step-instants whole-steps requests-end-alike
         designs-agree designs-agree-on-rings discrete-turns discrete-turns-are-steps discrete-turns-are-steps-of-more
         order-without-width order-without-width/no-falls trouble-is-gone/no-falls trouble-is-gone/no-collisions
         trouble-is-gone/no-width trouble-is-gone/no-collisions/no-falls trouble-is-gone/no-collisions/no-width

@@ -42,6 +42,7 @@ from spec.stepped import (
     STEP_OUT_OF_REACH,
     STEP_PROGRESS,
     STEP_SEAT,
+    STEP_SPLIT,
     STEP_SQUEEZED,
     STEP_SUPPORT,
     STEP_TERRAIN,
@@ -115,10 +116,9 @@ def of_steps(*programs: Callable[[StepRules, Given], None]) -> tuple[Obligation,
 WHOLE_STEPS = tuple(of_setting(steps.steps_keep_the_invariants, setting) for setting in SMALL)
 LARGER_STEPS = tuple(of_setting(steps.steps_keep_the_invariants, setting) for setting in LARGER)
 MIRRORED = tuple(of_setting(steps.steps_have_mirror_images, one) for one in (ALONE, PUSH, CHASE, RIDE))
-BATCHES = tuple(
-    of_setting(batches.batches_end_where_events_lead, one)
-    for one in (ALONE, PIT, PUSH, TO_THE_LEFT, TOGETHER, RIDE, THREE)
-)
+IN_BATCHES = (ALONE, PIT, PUSH, TO_THE_LEFT, TOGETHER, RIDE, THREE)
+BATCHES = tuple(of_setting(batches.batches_end_where_events_lead, one) for one in IN_BATCHES)
+GOING_ON = tuple(of_setting(batches.speeds_are_kept_for_any_part, one) for one in IN_BATCHES)
 SPLIT = tuple(of_setting(steps.steps_may_be_split, one) for one in (ALONE, PUSH, TOWARDS))
 
 
@@ -339,6 +339,19 @@ CLAIMS: tuple[Claim, ...] = (
         premises=(START,),
         expected=BOUNDED,
         obligations=BATCHES,
+    ),
+    Claim(
+        id="claim/batches-go-on",
+        family="steps",
+        sentence="Where a batch says that all keep their speeds for a time, whole steps of any part of it lead each as "
+        "far as its speed does in that part.",
+        source=STEP_SPLIT.source,
+        about=STEP_SPLIT.id,
+        profile=REPAIRED,
+        premises=(START,),
+        expected=BOUNDED,
+        obligations=GOING_ON,
+        long=True,
     ),
     Claim(
         id="claim/whole-steps",

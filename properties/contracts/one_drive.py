@@ -254,7 +254,8 @@ def sums_are_the_closed_form(rules: StepRules, given: Given) -> None:
     rooms = [given.number(f"room ahead of {body}") for body in range(2)]
     for one in range(2):
         given.assume(walls[one] >= rooms[one] + walls[one + 1], NO_WALL)
-    found = along_row(wishes, rooms, walls)
     limit = lesser(walls[1], rooms[1] + walls[2])
-    given.ensure("they agree", as_closed_form(found[1], limit, wishes[1], found[0] - rooms[0]))
-    given.ensure("on the last too", as_closed_form(found[2], walls[2], wishes[2], found[1] - rooms[1]))
+    for ahead in Direction:
+        found = along_row(wishes, rooms, walls, ahead)
+        given.ensure("they agree", as_closed_form(found[1], limit, wishes[1], found[0] - rooms[0]))
+        given.ensure("on the last too", as_closed_form(found[2], walls[2], wishes[2], found[1] - rooms[1]))

@@ -6,7 +6,7 @@ All bodies are boxes one unit wide, on a floor that is never left. The first is 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any
 
@@ -44,7 +44,12 @@ class Pushed:
 
     @property
     def ticks(self) -> int:
-        """How many ticks are timed together."""
+        """How many ticks are timed together: four seconds, or one of many bodies."""
+        return 200 if self.bodies <= 100 else 50
+
+    @property
+    def few_ticks(self) -> int:
+        """How many ticks of them from event to event."""
         return max(4, 200 // self.bodies)
 
     def world(self) -> StoreyWorld[Fraction]:
@@ -67,15 +72,21 @@ class Prepared:
     """A program that is to be timed.
 
     Attributes:
-        steps: how many steps of one level it runs.
+        ticks: how many steps it runs of each of its levels.
         counted: what it has counted.
         come: how far the last of the pushed bodies has come, in all.
     """
 
     program: Callable[[], Any]
-    steps: int
+    ticks: int
     counted: Callable[[], dict[str, float]]
     come: Callable[[], float]
+    levels: int = 1
+
+    @property
+    def steps(self) -> int:
+        """How many steps it runs in all."""
+        return self.ticks * self.levels
 
 
 def by_events(scene: Pushed, floats: bool) -> Prepared:
@@ -86,37 +97,56 @@ def by_events(scene: Pushed, floats: bool) -> Prepared:
     start = world.places[last].left
 
     def program() -> None:
-        for _ in range(scene.ticks):
+        for _ in range(scene.few_ticks):
             chosen.append(run_in_reach(REPAIRED.rules, held, drives, tick)[1].chosen)
 
     return Prepared(
-        program, scene.ticks, lambda: {"choices": chosen[0]}, lambda: float(world.places[last].left - start)
+        program, scene.few_ticks, lambda: {"choices": chosen[0]}, lambda: float(world.places[last].left - start)
     )
 
 
-def at_once(scene: Pushed, bodies: int) -> Prepared:
-    """The closed form, of as many levels as have so many bodies, or of one."""
+def at_once(scene: Pushed, bodies: int, anew: bool = False) -> Prepared:
+    """The closed form, of as many levels as have so many bodies, or of one.
+
+    If `anew`, speeds change in each tick, so that all is looked at in each.
+    """
     world, all_drives = in_floats(scene.world()), floating(DRIVEN)
     count = len(world.places)
     drives = dict.fromkeys(range(count), Drive(0.0)) | all_drives
-    return of_batch([world] * max(1, bodies // count), [drives] * max(1, bodies // count), scene.ticks, scene.bodies)
+    levels = max(1, bodies // count)
+    return of_batch([world] * levels, [drives] * levels, scene.ticks, scene.bodies, (1.5, 0.5) if anew else ())
 
 
-def of_batch(worlds: Sequence[StoreyWorld[float]], drives: Sequence[Drives], ticks: int, pushed: int) -> Prepared:
-    """A batch of levels, driven for some ticks; the first so many bodies of the first level are pushed."""
-    batch, shares = Batch(worlds, REPAIRED.rules), list[float]()
-    of_all, durations, last = drives_of(drives), np.full(len(worlds), float(TICK)), pushed - 1
-    start = float(batch.left[last])
+def of_batch(
+    worlds: Sequence[StoreyWorld[float]],
+    drives: Sequence[Drives],
+    ticks: int,
+    pushed: int,
+    changes: Sequence[float] = (),
+) -> Prepared:
+    """A batch of levels, driven for some ticks; the first so many bodies of the first level are pushed.
+
+    Speeds are so many times as great, in turn from tick to tick.
+    """
+    batch, shares = Batch(worlds, REPAIRED.rules, SLACK), list[float]()
+    durations, last = np.full(len(worlds), float(TICK)), pushed - 1
+    start, given = float(batch.left[last]), drives_of(drives)
+    in_turn = [replace(given, speed=given.speed * change) for change in changes]
+    batch.drive(given)
 
     def program() -> None:
-        for _ in range(ticks):
-            shares.append(float(np.mean(batch.step(of_all, durations, SLACK))))
+        for tick in range(ticks):
+            if in_turn:
+                batch.drive(in_turn[tick % len(in_turn)])
+            batch.step(durations)
+        shares.append(float(np.mean(batch.fits)))
 
     return Prepared(
         program,
-        ticks * len(worlds),
+        ticks,
         lambda: {"share": sum(shares) / len(shares)},
         lambda: float(batch.left[last]) - start,
+        len(worlds),
     )
 
 
