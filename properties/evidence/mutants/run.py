@@ -138,7 +138,8 @@ class Known:
     @property
     def tried(self) -> dict[str, frozenset[str]]:
         """The same of those on which all wrong rules are tried: of very many, only those that have few paths."""
-        return {name: called for name, called in self.calls.items() if name in self.few or not name.startswith(MANY)}
+        few = self.few
+        return {name: called for name, called in self.calls.items() if name in few or not name.startswith(MANY)}
 
     @property
     def premises(self) -> dict[str, tuple[str, ...]]:
