@@ -142,15 +142,35 @@ def test_a_batch_is_where_events_lead_and_floats_are_exact_where_almost_all_is_t
     floats.drive(drives_of([floating(one.drives_by_body) for one in made]))
     batch.step(np.array([one.duration for one in made]))
     floats.step(np.array([float(one.duration) for one in made]))
-    fits = batch.fits
-    assert np.array_equal(floats.fits, fits)
-    assert 0.15 < fits.mean() < 0.6
+    assert np.array_equal(floats.fits, batch.fits)
+    assert 0.15 < batch.fits.mean() < 0.6
     for level, one in enumerate(made):
         after = drive(REPAIRED.rules, one.world(), one.drives_by_body, one.duration, ZERO).after
         assert batch.world(level).places == after.places
         assert batch.world(level).rows == after.rows
-        if fits[level]:
+        if batch.fits[level]:
             assert floats.world(level).places == in_floats(after).places
+
+
+def next_instant(world, drives):
+    """How long it is until something comes in a world, if it does."""
+    course = drive(REPAIRED.rules, world, drives, LONG, ZERO)
+    return next((one.lasted for one in course.stretches if one.lasted), Fraction(1))
+
+
+def test_tick_after_tick_a_batch_is_where_events_lead_where_almost_all_is_tied():
+    made, random = outings(0, 30), Random(0)
+    batch = Batch([one.world() for one in made], REPAIRED.rules)
+    for tick in range(8):
+        if tick % 3 == 0:
+            drives = [dict(enumerate(drives_of_all(random, len(one.places)))) for one in made]
+            batch.drive(drives_of(drives))
+        before = [batch.world(level) for level in range(len(made))]
+        longest = [next_instant(*pair) for pair in zip(before, drives, strict=True)]
+        durations = [random.choice((one, one, one / 2, ZERO, Fraction(1))) for one in longest]
+        batch.step(np.array(durations))
+        for level, step in enumerate(zip(before, drives, durations, strict=True)):
+            assert batch.world(level).places == drive(REPAIRED.rules, *step, ZERO).after.places
 
 
 def test_ties_are_drawn():
