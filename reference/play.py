@@ -28,7 +28,7 @@ from reference.formats.scenario import Asked, DriveRecord, ScenarioRecord, StepR
 from reference.plan import check_plan
 from reference.simulator import Endless, Fulfilled, Game, Happened
 from reference.stepping import StepGame
-from reference.world import LevelError
+from reference.world import LevelError, Stance
 from spec.body import Body, Level
 from spec.features import WIDE, Widths
 from spec.number import N
@@ -124,6 +124,13 @@ def widths_of(profile: AnyProfile) -> Widths:
     return WIDE if isinstance(profile, SteppedProfile) else profile.widths
 
 
+def stance_of(profile: AnyProfile) -> Stance:
+    """How bodies may stand under a profile: where they stand in whole steps, a top holds whoever is
+    nearer than the margin.
+    """
+    return Stance(widths_of(profile), beside=isinstance(profile, SteppedProfile))
+
+
 def set_up(scenario: ScenarioRecord, level: LevelRecord, floats: bool) -> AnyGame:
     """The game of a scenario at its start.
 
@@ -131,7 +138,7 @@ def set_up(scenario: ScenarioRecord, level: LevelRecord, floats: bool) -> AnyGam
         LevelError: if the level, the profile or a step's body is not as it must be.
     """
     profile = profile_of(scenario.profile)
-    held = valid_level(level, "$.level", widths=widths_of(profile))
+    held = valid_level(level, "$.level", stance=stance_of(profile))
     distances = list(distances_of(scenario, held))
     asked = ((place, (distance,)) for place, distance in distances)
     check_sums(chain(numbers_of(held), distances_per_tick(held), asked))

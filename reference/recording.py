@@ -25,7 +25,7 @@ from reference.formats.numbers import exact, number_text
 from reference.formats.scenario import DriveRecord, RemoveRecord, RequestRecord, TickRecord, check_step
 from reference.formats.trace import EventRecord, HeaderRecord, LineRecord, MoveRecord, PlaceRecord, check_line
 from reference.plan import without
-from reference.play import ONE_BY_ONE, SAME_BODIES, Played, Playing, format_of, play, profile_of, widths_of
+from reference.play import ONE_BY_ONE, SAME_BODIES, Played, Playing, format_of, play, profile_of, stance_of
 from reference.simulator import Fulfilled, Happened
 from reference.world import LevelError, World, standing
 from spec.body import Body, Level
@@ -55,7 +55,7 @@ def recording(path: Path, floats: bool = False) -> Recording:
         return read_trace(path)
     playing = play(path, floats)
     profile = playing.game.profile
-    level = valid_level(playing.level, "$", widths=widths_of(profile))
+    level = valid_level(playing.level, "$", stance=stance_of(profile))
     return Recording(header_of(playing, floats), level, profile, lines_of(playing))
 
 
@@ -69,7 +69,7 @@ def read_trace(path: Path) -> Recording:
     header = decode(next(content, b""), HeaderRecord, f"{path}:1")
     try:
         profile = profile_of(header.profile)
-        level = valid_level(header.level, "$.level", header.numbers, widths_of(profile))
+        level = valid_level(header.level, "$.level", header.numbers, stance_of(profile))
     except LevelError as error:
         raise FormatError(one_line(f"{path}:1: {error}")) from None
     tops = tops_of(header.level, len(level.graph.edges))

@@ -562,14 +562,32 @@ def check_supports(level: Level[N]) -> None:
                 raise LevelError(f"$.bodies[{index}].left.top", expected)
 
 
-def check_overhang(world: World[N], body: int, least: N) -> None:
-    """Refuse a border beyond the end of its edge where there is no ledge, and a body wholly beyond it."""
+@dataclass(frozen=True)
+class Stance:
+    """How bodies may stand: which widths they have, and whether a top also holds one that is wholly beside it, nearer
+    than the margin.
+    """
+
+    widths: Widths = WIDE
+    beside: bool = False
+
+
+STANDING = Stance()
+
+
+def check_overhang(world: World[N], body: int, least: N, beside: bool) -> None:
+    """Refuse a border beyond the end of its edge where there is no ledge, and a body wholly beyond an edge; a top may
+    hold it `beside`, nearer than the margin.
+    """
+    on_top = beside and world.bodies[body].left.edge >= len(world.graph.edges)
+    nearest = least - world.level.margin if on_top else least
     place = f"$.bodies[{body}]"
     overhangs = any(distance < least for distance in world.off_graph(body))
     for direction in Direction if overhangs else ():
         view = world.facing(direction)
         for side, at in (("front", view.front(body)), ("rear", view.rear(body))):
-            if view.reach(at) < least and (side == "rear" or not view.beyond(at).ledge):
+            off, gone = view.reach(at) < least, view.reach(at) <= nearest
+            if off and (gone if side == "rear" else not view.beyond(at).ledge):
                 name = direction.name.lower() if side == "front" else direction.opposite.name.lower()
                 length = world.length_of(at.edge)
                 raise LevelError(f"{place}.{name}.location", f"expected 0 to {length}, got {at.location}")
@@ -615,8 +633,8 @@ def check_widths(world: World[N], widths: Widths = WIDE) -> None:
             raise LevelError(f"$.bodies[{body}]", widths.expected)
 
 
-def world_of(level: Level[N], tolerance: N | None = None, widths: Widths = WIDE) -> World[N]:
-    """The world of a level at its start, whose bodies have such widths.
+def world_of(level: Level[N], tolerance: N | None = None, stance: Stance = STANDING) -> World[N]:
+    """The world of a level at its start, whose bodies stand so.
 
     `tolerance` is how far its numbers may be off, if they may.
 
@@ -626,9 +644,9 @@ def world_of(level: Level[N], tolerance: N | None = None, widths: Widths = WIDE)
     world = laid_out(level)
     least = zero_like(level.margin) if tolerance is None else zero_like(level.margin) - tolerance
     for body in world.handles():
-        check_overhang(world, body, least)
+        check_overhang(world, body, least, stance.beside)
     check_buttons(world)
-    check_widths(world, widths)
+    check_widths(world, stance.widths)
     for row in world.rows:
         if row.closed and row.free is not None and row.free < least:
             raise LevelError("$.bodies", f"the bodies are wider than the ring by {row.free * -1}")

@@ -238,7 +238,8 @@ def test_the_trace_on_the_page_conforms_and_the_wrong_one_is_told_as_the_page_sa
     assert done.returncode == 1
     assert "".join(f"    {line}\n" for line in done.stdout.splitlines()) in PAGE.read_text()
     page = " ".join(PAGE.read_text().split())
-    assert f"({MOST_WAYS} ways for a request, {MOST_OUTCOMES} outcomes, {MOST_DECISIONS} decisions)" in page
+    most = f"{MOST_OUTCOMES} outcomes, {MOST_DECISIONS} decisions"
+    assert f"({MOST_WAYS} ways for a request, four times as many for a step, {most})" in page
     assert f"Else it is {ROUNDINGS} roundings" in page
     assert f"with up to {MOST_IN_PLANE} bodies" in page
 
@@ -257,3 +258,21 @@ def test_the_limits_on_the_page_are_those_of_the_code():
     digits = [MOST_DIGITS, MOST_DIGITS]
     items = [MOST_ITEMS, MOST_BUTTONS, MOST_STOREYS, MOST_CHARACTERS, MOST_LONG]
     assert limits == [MOST_BYTES // 2**20, *items, *digits]
+
+
+@pytest.mark.parametrize(
+    ("beside", "profile", "accepted"), [(1, "repaired", True), (2, "repaired", False), (1, "thesis", False)]
+)
+def test_a_top_holds_a_body_that_is_wholly_beside_it_under_repaired_only(tmp_path, beside, profile, accepted):
+    borders = [{"top": "A", "location": f"{-8 - beside}/8"}, {"top": "A", "location": f"{-beside}/8"}]
+    ground = [{"edge": 0, "location": str(x)} for x in (3, 4)]
+    bodies = [{"name": name, "left": at[0], "right": at[1]} for name, at in (("A", ground), ("R", borders))]
+    level = {"format": "graphbody/level@1", "name": "beside", "margin": "1/4", "vertices": [["0", "0"], ["9", "0"]]}
+    request = {"request": {"body": "A", "distance": "1"}}
+    scenario = {"format": "graphbody/scenario@1", "name": "beside", "profile": profile, "steps": [request]}
+    file = tmp_path / "beside.json"
+    file.write_text(json.dumps(scenario | {"level": level | {"bodies": bodies}}))
+    done = graphbody("simulate", str(file))
+    assert done.returncode == (0 if accepted else 2)
+    if not accepted:
+        assert f"bodies[1].right.location: expected 0 to 1, got {Fraction(-beside, 8)}" in done.stderr

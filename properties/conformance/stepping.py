@@ -27,6 +27,7 @@ from reference.formats.scenario import ScenarioRecord
 from reference.formats.trace import EventRecord, LineRecord
 from reference.physics import left_to, set_off, with_motions
 from reference.plan import Plan, check_plan
+from reference.play import stance_of
 from reference.recording import Recording, event_record, events_of
 from reference.rounding import PART, ROUNDINGS, UNIT_ROUNDOFF, Precision, largest, rounding
 from reference.simulator import Endless, Happened
@@ -306,7 +307,7 @@ class OfSteps:
     def end(self, record: LevelRecord, line: LineRecord, body: str) -> tuple[int, Fraction, str | None] | None:
         """Where a body of a level comes to be: storey, left border, on whose top; None if it cannot be played."""
         try:
-            level = valid_level(record, "$")
+            level = valid_level(record, "$", stance=stance_of(self.profile))
             check_plan(level)
         except (FormatError, LevelError):
             return None

@@ -18,6 +18,7 @@ from properties.worlds.scenes import Shape, scene, shapes
 from reference.formats.level import LevelRecord, level_record, valid_level
 from reference.formats.numbers import exact, number_text
 from reference.formats.scenario import RequestRecord, ScenarioRecord, StepRecord
+from reference.play import stance_of
 from reference.world import World
 from spec.body import Level
 from spec.features import PLANE_ORDER, WIDTH
@@ -88,7 +89,7 @@ def broken_in(scenario: ScenarioRecord) -> list[str]:
     (step,) = scenario.steps
     assert isinstance(scenario.level, LevelRecord)
     assert step.request is not None
-    world = World(valid_level(scenario.level, "$.level", widths=profile.widths))
+    world = World(valid_level(scenario.level, "$.level", stance=stance_of(profile)))
     asked = exact(step.request.distance, "$.steps[0].request.distance")
     deed, record = do(profile, world, MOVER, RIGHT, asked, asked * 0)
     fired = frozenset(rule for body, rule in record.fired if body == MOVER)

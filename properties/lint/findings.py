@@ -13,7 +13,7 @@ from properties.lint.search import Range, Search, Some, Wrong, hull, range_of, s
 from reference.formats.files import FormatError, one_line
 from reference.formats.level import LevelRecord, valid_level
 from reference.plan import check_plan
-from reference.play import profile_of, read_playable, widths_of
+from reference.play import profile_of, read_playable, stance_of
 from reference.world import LevelError, World
 from spec.body import Level
 from spec.conditions import EDGES_LONG, PLANE_START, clearances_demanded, lengths_demanded
@@ -75,7 +75,7 @@ def opened(file: Path, profile: str | None) -> Linted:
     except LevelError as error:
         raise FormatError(one_line(f"{file}: {error.problem}")) from None
     try:
-        level = valid_level(record, "$", widths=widths_of(chosen))
+        level = valid_level(record, "$", stance=stance_of(chosen))
     except LevelError as error:
         raise FormatError(one_line(f"{where}{error.place[1:]}: {error.problem}")) from None
     return Linted(file, where.partition(": ")[2], record, level, chosen)

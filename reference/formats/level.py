@@ -13,9 +13,8 @@ from msgspec import Meta
 from reference.formats.files import Many, Name, Record, says
 from reference.formats.numbers import Number, check_sums, exact, number_text
 from reference.rounding import Precision, tolerance
-from reference.world import LevelError, world_of
+from reference.world import STANDING, LevelError, Stance, world_of
 from spec.body import Body, EdgePosition, Level
-from spec.features import WIDE, Widths
 from spec.graph import Edge, EdgeType, ExplicitEdge, Graph, IrrationalLength, NoLength, Vertex, explicit, polyline
 from spec.rules.velocity import Material, Motion
 
@@ -26,7 +25,8 @@ Index = Annotated[int, Meta(ge=0)]
 class Position(Record, frozen=True):
     """An edge position: one edge, static or the top of a body, and how far along it. Either `edge` or `top` is given.
 
-    A location below 0 or beyond the edge's length is overhang, which only a ledge permits.
+    A location below 0 or beyond the edge's length is overhang, which only a ledge permits. Under `repaired` a
+    top also holds a body that is wholly beside it, nearer than the margin.
     """
 
     location: Annotated[Number, says("distance along the edge from its left end, in units of length")]
@@ -203,16 +203,16 @@ def level_of(record: LevelRecord) -> Level[Fraction]:
 
 
 def valid_level(
-    record: LevelRecord, place: str, numbers: Precision = "exact", widths: Widths = WIDE
+    record: LevelRecord, place: str, numbers: Precision = "exact", stance: Stance = STANDING
 ) -> Level[Fraction]:
-    """The level of a record that is at `place` in a document, if a world can hold it, in such numbers and widths.
+    """The level of a record that is at `place` in a document, if a world can hold it, in such numbers, standing so.
 
     Raises:
         LevelError: if not.
     """
     try:
         level = level_of(record)
-        world_of(level, tolerance(numbers, level), widths)
+        world_of(level, tolerance(numbers, level), stance)
     except LevelError as error:
         raise error.under(place) from None
     return level
