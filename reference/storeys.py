@@ -279,9 +279,9 @@ class StoreyWorld(Generic[N]):
         """The offset of a body that another holds; on a ring also that the other way round, if it is held there too."""
         offset, round_ = self.offset(body, below), self.terrain.circumference
         yield offset
-        for by in [] if round_ is None else [round_ * -1, round_]:
-            if self.overlap_at(offset + by, body, below) + self.margin > zero_like(offset):
-                yield offset + by
+        for other in [] if round_ is None else [offset - round_, offset + round_]:
+            if self.overlap_at(other, body, below) + self.margin > zero_like(offset):
+                yield other
 
     def overlap(self, body: int, below: int) -> N:
         """How much of a body is over another; less than 0 beside it."""

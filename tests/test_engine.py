@@ -2,13 +2,14 @@
 
 from dataclasses import replace
 from fractions import Fraction
+from itertools import count
 
 import pytest
 import z3
 
 from properties.engine import explore as engine
-from properties.engine.explore import Counterexample, EngineError, Outcome, explore
-from properties.engine.formulas import conjunction, disjunction
+from properties.engine.explore import Counterexample, Outcome, explore
+from properties.engine.formulas import EngineError, conjunction, disjunction
 from properties.engine.merge import merged
 from properties.engine.simplest import smallest
 from properties.given import Exact, Infeasible
@@ -163,6 +164,25 @@ def smaller_and_larger(given):
     return merged(given, lambda _: [a, b] if a <= b else [b, a])
 
 
+def test_a_part_that_is_merged_leaves_nothing_behind():
+    def program(given):
+        a = given.number("a")
+        if a <= 4:
+            (_,) = merged(given, lambda _: [a if a <= 3 else a * 0])
+        given.ensure("it is small", a <= 4)
+
+    def after(promise):
+        def program(given):
+            a = given.number("a")
+            (_,) = merged(given, lambda _: [a if a > 5 else a * 0])
+            given.ensure("it is so", promise(a))
+
+        return program
+
+    refuted = [program, after(lambda a: a > 5), after(lambda a: a <= 5)]
+    assert all(explore(one).counterexample is not None for one in refuted)
+
+
 def test_merged_paths_go_on_as_one():
     def program(given):
         smaller, larger = smaller_and_larger(given)
@@ -272,7 +292,10 @@ def test_every_path_is_run_once_and_the_rules_of_each_are_kept():
 
 @pytest.mark.parametrize(("budget", "done"), [(3, False), (4, True)])
 def test_a_budget_of_paths_that_is_spent_is_told(budget, done, monkeypatch):
+    runs = count(1)
+
     def program(given):
+        assert next(runs) <= budget + 1, "it goes on; one more run is that of the witness"
         given.ensure("something", len(flags(given, 2)) == 2)
 
     monkeypatch.setattr(engine, "MOST_PATHS", budget)
@@ -565,3 +588,18 @@ def test_a_large_model_is_made_small_by_halving():
     large = solver.model()
     solver.pop()
     assert smallest(solver, [number], large).eval(number).as_fraction() == 3
+
+
+def test_premises_hold_on_every_path_and_are_judged_once():
+    def program(given):
+        a, b = given.number("a"), given.natural("b")
+        given.assume(a <= 1, "a is small")
+        given.ensure("it is still small", a <= 1)
+        given.assume(b <= 1, "b is small")
+        given.flag("a way")
+        given.ensure("both are", (a >= 0) & (a <= 1) & (b >= 0) & (b <= 1))
+
+    outcome = explore(program)
+    assert outcome.proved
+    assert (outcome.paths, outcome.checks) == (2, 7)
+    assert outcome.assumed == outcome.used == {"a >= 0", "b >= 0", "a is small", "b is small"}

@@ -23,6 +23,7 @@ from typing import Any
 import z3
 
 from properties.engine.formulas import (
+    EngineError,
     ask,
     conjunction,
     core_of,
@@ -44,10 +45,6 @@ MOST_DRAWN = 100
 
 Program = Callable[[Given], None]
 TRUE = conjunction()
-
-
-class EngineError(Exception):
-    """The engine cannot vouch for its own run."""
 
 
 class Refuted(Exception):
@@ -244,7 +241,7 @@ class Exploration:
             self.asked = references([formula, *self.premises.values()])
         self.asked[0] = formula.ast
         answer = ask(self.solver, self.asked)
-        if answer == z3.unsat and not self.outcome.used >= self.premises.keys():
+        if answer == z3.unsat:
             core = core_of(self.solver)
             self.outcome.used |= {name for name, premise in self.premises.items() if identity_of(premise) in core}
         return None if answer == z3.unknown else bool(answer == z3.sat)

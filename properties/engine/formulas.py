@@ -12,6 +12,10 @@ from typing import Any
 import z3
 
 
+class EngineError(Exception):
+    """The engine cannot vouch for its own run."""
+
+
 def references(formulas: Sequence[z3.BoolRef]) -> Any:
     """The solver's own references to formulas."""
     return (z3.Ast * len(formulas))(*(formula.ast for formula in formulas))
@@ -51,20 +55,13 @@ def tell(solver: z3.Solver, *formulas: z3.BoolRef) -> None:
 
 def core_of(solver: z3.Solver) -> set[int]:
     """The identities of formulas that a solver was asked about, and that cannot hold together."""
-    reference = solver.ctx.ref()
-    core = z3.Z3_solver_get_unsat_core(reference, solver.solver)
-    z3.Z3_ast_vector_inc_ref(reference, core)
-    try:
-        return {z3.Z3_ast_vector_get(reference, core, i).value for i in range(z3.Z3_ast_vector_size(reference, core))}
-    finally:
-        z3.Z3_ast_vector_dec_ref(reference, core)
+    core, reference = solver.unsat_core(), solver.ctx.ref()
+    return {int(z3.Z3_ast_vector_get(reference, core.vector, place).value) for place in range(len(core))}
 
 
 def holds_in(model: z3.ModelRef, formula: z3.BoolRef) -> bool:
     """Whether a formula holds in a model."""
-    reference, value = model.ctx.ref(), (z3.Ast * 1)()
-    z3.Z3_model_eval(reference, model.model, formula.ast, True, value)
-    return bool(z3.Z3_get_bool_value(reference, value[0]) == z3.Z3_L_TRUE)
+    return bool(z3.is_true(model.eval(formula, model_completion=True)))
 
 
 def ask(solver: z3.Solver, formulas: Any) -> z3.CheckSatResult:

@@ -11,8 +11,8 @@ from typing import Any
 
 import z3
 
-from properties.engine.explore import EngineError, Exploration, Merge, Path
-from properties.engine.formulas import ask, disjunction, opposite, references
+from properties.engine.explore import Exploration, Merge, Path
+from properties.engine.formulas import EngineError, ask, disjunction, opposite, references
 from properties.engine.reals import Symbolic, parted, term_of
 from properties.given import Given
 

@@ -8,6 +8,8 @@ from fractions import Fraction
 
 import z3
 
+from properties.engine.formulas import EngineError
+
 GRIDS = (1, 2, 4, 10, 100)
 HALVINGS = 12
 SEARCH_BUDGET = 4_000_000
@@ -60,12 +62,16 @@ def solved(drawn: Drawn, formulas: Sequence[z3.BoolRef]) -> tuple[Drawn, z3.Solv
     """A solver that has found values that satisfy formulas, which some do.
 
     It has a context of its own, so that its values do not depend on what was solved before.
+
+    Raises:
+        EngineError: if it finds none.
     """
     context = z3.Context()
     own, solver = drawn.translated(context), z3.SolverFor("QF_LIRA", ctx=context)
     solver.set("rlimit", SEARCH_BUDGET)
     solver.add(*own.signs(), *(formula.translate(context) for formula in formulas))
-    solver.check()
+    if solver.check() != z3.sat:
+        raise EngineError("no values were found where there are some")
     return own, solver
 
 

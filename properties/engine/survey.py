@@ -13,7 +13,8 @@ from fractions import Fraction
 
 import z3
 
-from properties.engine.explore import EngineError, Exploration, Path, Program, solver_for_reals
+from properties.engine.explore import Exploration, Path, Program, solver_for_reals
+from properties.engine.formulas import EngineError
 from properties.engine.reals import formula_of
 from properties.engine.simplest import Drawn, simplest_values
 from spec.number import Truth

@@ -8,7 +8,7 @@ from functools import partial
 from typing import Any
 
 from properties.contracts.request import judged
-from properties.engine.explore import EngineError
+from properties.engine.formulas import EngineError
 from properties.engine.survey import Breach, Trail, firsts, surveyed
 from properties.evidence.deeds import do
 from properties.given import Exact, Given

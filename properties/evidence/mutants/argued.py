@@ -13,9 +13,10 @@ ARGUED = {
     "explore.solver_for_reals: drop solver.set('random_seed', seed)": "the seed decides the work, and no answer",
     "explore.work_so_far: drop solver.check()": "what is counted is that of all solvers so far",
     "explore.Path.decide: self.met >= len(forks) instead of self.met == len(forks)": "it is never more",
-    "simplest.simplest_values: drop solver.set('rlimit', SEARCH_BUDGET)": "without a budget, an answer may take longer",
+    "simplest.solved: drop solver.set('rlimit', SEARCH_BUDGET)": "without a budget, an answer may take longer",
     "simplest.smallest: total < z3.Q(middle.numerator, middle.denominator, solver.ctx) instead of total <= "
     "z3.Q(middle.numerator, middle.denominator, solver.ctx)": "it is about as small as can be, by one halving less",
+    "reals.known: exact.denominator <= 1 instead of exact.denominator == 1": "a denominator is at least 1",
     "reals.Symbolic.plus: sign >= 0 instead of sign > 0": "a sign is 1 or -1",
     "reals.Symbolic.compare: 1 * Fraction(first) instead of 1 / Fraction(first)": SCALED,
     "reals.Symbolic.compare: first <= -1 instead of first == -1": SCALED,

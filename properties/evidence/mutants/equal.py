@@ -22,7 +22,7 @@ from spec.plane import Box, box, negated, terrain
 from spec.profiles import REPAIRED
 from spec.rules.event import Nearing, time_left
 from spec.rules.row import forwards
-from spec.rules.settle import on_its_storey
+from spec.rules.settle import Footing, Top, front_most, on_its_storey
 from spec.rules.velocity import Bounded, Grip, at_the_bound, outruns_friction, slowed, too_fast
 from spec.stepped import beside_wall, one_speed
 from spec.storeys import Contact, Drive, Interval
@@ -157,6 +157,14 @@ def velocities_that_are_lessened(mutant: Mutant, given: Given) -> None:
     promise_alike(given, mutant, lambda: [slowed(grip), at_the_bound(bounded)])
 
 
+def tops_over_which_nobody_moves(mutant: Mutant, given: Given) -> None:
+    """Any two tops, or one that holds at both ends, which is there twice; nobody moves on them."""
+    second = 1 if given.flag("one that holds at both ends") else 2
+    tops = [Top(body, given.number(f"overlap {place}")) for place, body in enumerate((1, second))]
+    footing: Footing[Any] = Footing(0, holds=False, ground=False, tops=tops, motion=tops[0].overlap * 0)
+    promise_alike(given, mutant, lambda: [front_most(footing).support])
+
+
 EQUAL: dict[str, Callable[[Mutant, Given], None]] = {
     "plane.Box.beside: False instead of True (2)": heights_of_bodies,
     "plane.negated: truth <= False instead of truth == False": plain_truths,
@@ -166,6 +174,7 @@ EQUAL: dict[str, Callable[[Mutant, Given], None]] = {
     "row.forwards: member.wish * direction instead of greater(member.wish * direction, zero_like(passed))": (
         speeds_in_a_row
     ),
+    "settle.front_most: top.body <= best.body instead of top.body < best.body": tops_over_which_nobody_moves,
     "settle.on_its_storey: world.storey(support) >= world.storey(body) - 1 instead of world.storey(support) == "
     "world.storey(body) - 1": riders_and_their_supports,
     "stepped.beside_wall: wall.right < piece.left instead of wall.right <= piece.left": pieces_and_walls,

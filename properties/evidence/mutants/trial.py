@@ -19,7 +19,8 @@ from properties.claims.catalogue import CLAIMS
 from properties.claims.claim import Claim, Count, Erratum, Obligation
 from properties.contracts.errata import Stage
 from properties.contracts.request import judged
-from properties.engine.explore import EngineError, Exploration, Program, explore, watched_by
+from properties.engine.explore import Exploration, Program, explore, watched_by
+from properties.engine.formulas import EngineError
 from properties.evidence.mutants.mutant import COMPARE, Mutant, called
 from properties.evidence.sample import campaign
 from properties.evidence.showing import Texts, texts
