@@ -16,7 +16,6 @@ from properties.evidence.witness import refute, write_witness
 from properties.explain import everything
 from properties.map.trails import NAMES
 from reference.play import LIBRARY, play
-from reference.stepping import COMING
 from spec.conditions import ALONE, CONDITIONS, TWO_AT_MOST
 from spec.guidelines import GUIDELINES, kept_by
 from spec.models import MODELS
@@ -118,9 +117,9 @@ def test_every_premise_is_assumed_by_a_claim_or_by_the_map():
     assert assumed == {condition.id for condition in CONDITIONS}
 
 
-@pytest.mark.parametrize(("profile", "but"), [(THESIS, ()), (REPAIRED, COMING)], ids=["thesis", "repaired"])
+@pytest.mark.parametrize("profile", [THESIS, REPAIRED], ids=["thesis", "repaired"])
 @pytest.mark.slow
-def test_the_proofs_for_any_number_of_bodies_make_every_rule_fire_but_those_of_events(profile, but):
+def test_the_proofs_for_any_number_of_bodies_make_every_rule_fire(profile):
     obligations = {
         o.id: o
         for claim in CLAIMS
@@ -131,7 +130,7 @@ def test_the_proofs_for_any_number_of_bodies_make_every_rule_fire_but_those_of_e
     fired = set()
     for obligation in obligations.values():
         fired |= explore(lambda given, o=obligation: judged(o.program, profile, given)).rules
-    assert {rule.id for rule in rules_of(profile)} - fired == set(but)
+    assert {rule.id for rule in rules_of(profile)} <= fired
 
 
 @pytest.mark.parametrize("floats", [False, True])
