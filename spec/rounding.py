@@ -24,7 +24,7 @@ STEP_NEARLY_EXACT = Relation(
     "In rounded arithmetic, what comes next in a step of `repaired` is early or late by no more than makes up, at the "
     "speed at which the room lessens, for what its bodies are off already and 5 roundings; or than what came before. "
     "Until then nobody is off by more than it was and 2. Room that is not as little is used up to within 9. So it is "
-    "on lines, at any velocities, for any number of bodies.",
+    "on lines, where whoever is over ground is so by more than it is off, at any velocities, for any number of bodies.",
     "6.2.1; R18, R24",
 )
 OF_ROUNDING: tuple[Relation, ...] = (NEARLY_EXACT, MARGIN_NEARLY_KEPT, STEP_NEARLY_EXACT)
