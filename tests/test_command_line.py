@@ -92,7 +92,8 @@ def test_all_that_is_to_be_proved_can_be_explained():
     for claim in CLAIMS:
         for obligation in claim.obligations:
             found = find(obligation.id)
-            assert found.sentence and f"  shows: {claim.id}: {claim.sentence}" in list(explain(found))
+            assert found.sentence
+            assert f"  shows: {claim.id}: {claim.sentence}" in list(explain(found))
 
 
 def test_a_row_of_the_register_is_explained_by_the_statements_that_have_it_as_their_source(tmp_path):
