@@ -40,7 +40,6 @@ from reference.formats.files import FormatError, one_line, pieces
 from reference.formats.level import tops_in
 from reference.formats.trace import LineRecord
 from reference.plan import check_plan, plan_of
-from reference.play import widths_of
 from reference.recording import Recording, following, read_lines, read_trace, state_after
 from reference.rounding import tolerance as rounding
 from reference.simulator import MOST_FIRED, Endless, Fulfilled, move
@@ -241,7 +240,7 @@ def world_after(log: Recording, line: LineRecord, where: str) -> World[Fraction]
         StateError: if no body can be so.
     """
     try:
-        return state_after(log.level, line, widths_of(log.profile))
+        return state_after(log, log.level, line)
     except LevelError as error:
         raise StateError(one_line(f"{where}: {error}")) from None
 
