@@ -72,7 +72,7 @@ def nothing(width: N, off: N) -> Truth:
 
 
 WIDE = Widths(more_than_nothing, "expected the left border to be left of the right border")
-POINTS = Widths(nothing, "expected both borders at one place: under this profile bodies have no width")
+POINTS = Widths(nothing, "expected both borders at one place, and on no ring: under this profile bodies have no width")
 
 
 class Unobstructed(Family[Departure[Any, Any], Any]):
