@@ -78,9 +78,14 @@ def test_points_that_roundings_have_given_a_width_are_points(tmp_path):
     (tmp_path / "s.json").write_text(json.dumps({**scenario, "steps": steps}))
     trace = graphbody("simulate", "s.json", "--floats", "--json", cwd=tmp_path).stdout
     (tmp_path / "t.jsonl").write_text(trace)
-    point = json.loads(trace.splitlines()[-1])["bodies"][0]
-    assert point["left"] != point["right"]
+    last = json.loads(trace.splitlines()[-1])
+    assert last["bodies"][0]["left"] != last["bodies"][0]["right"]
     assert graphbody("validate", "t.jsonl", cwd=tmp_path).returncode == 0
+    for border in ("left", "right"):
+        last["bodies"][0][border]["location"] = 0.75
+    (tmp_path / "t.jsonl").write_text("\n".join([*trace.splitlines()[:-1], json.dumps(last)]))
+    done = graphbody("validate", "t.jsonl", cwd=tmp_path)
+    assert (done.returncode, done.stderr) == (1, "")
 
 
 def test_every_feature_can_be_taken_away_and_so_can_each_pair():
