@@ -21,8 +21,6 @@ from properties.conformance.validate import OfRequests, validate
 from properties.contracts import floats, rounded_steps, rounding
 from properties.contracts.request import judged
 from properties.engine.explore import explore
-from properties.engine.rounded import Machine, Rounded
-from properties.given import Exact
 from properties.strategies.storeys import outing
 from properties.worlds.changes import in_floats
 from properties.worlds.rows import string_graph
@@ -193,23 +191,6 @@ def test_random_steps_in_floats_are_within_the_spread():
         assert off(exact, world) <= most, seed
         compared += 1
     assert compared > 60
-
-
-def test_the_same_sum_is_rounded_alike_and_nothing_added_is_not_rounded():
-    machine = Machine(Exact({"error 1": Fraction(3, 2), "error 2": Fraction(1, 2)}))
-    one, two = Rounded(machine, Fraction(5)), Rounded(machine, Fraction(3))
-    assert (one + two).held == Fraction(17, 2)
-    assert (two + one) is (one + two)
-    assert (one - two).held == Fraction(3, 2)
-    assert one + two * 0 is one
-    assert (one - one).nothing
-    assert one * 1 is one
-    assert (one * -2).held == -10
-    assert machine.errors == 2
-    with pytest.raises(TypeError, match="is rounded, in a way that is not known here"):
-        one * two
-    with pytest.raises(TypeError, match="is rounded, in a way that is not known here"):
-        one / two
 
 
 def random_row(rng, bodies, edges, number):
