@@ -53,19 +53,19 @@ def with_effect(family, rule, effect):
     return Family(family.id, tuple(replace(one, effect=effect) if one.id == rule else one for one in family.rules))
 
 
-def on_the_last_edge(profile, **more):
+def on_the_last_edge(profile):
     """What the exploration of a segment on the last edge shows."""
-    return explore(partial(judged, partial(last_edge, **more), profile))
+    return explore(partial(judged, last_edge, profile))
 
 
-def last_edge(profile, given, **more):
-    rounding.segment_is_nearly_exact(profile, given, closed=False, direction=RIGHT, last=True, **more)
+def last_edge(profile, given):
+    rounding.segment_is_nearly_exact(profile, given, closed=False, direction=RIGHT, last=True)
 
 
-def test_a_segment_is_off_by_so_many_roundings_and_not_by_half_as_many():
+def test_a_segment_is_off_by_so_many_roundings_and_not_by_half_as_many(monkeypatch):
     assert on_the_last_edge(THESIS).proved
-    fewer = on_the_last_edge(THESIS, within=4)
-    assert fewer.counterexample is not None
+    monkeypatch.setattr(rounding, "OF_A_SEGMENT", 4)
+    assert on_the_last_edge(THESIS).counterexample is not None
 
 
 @pytest.mark.parametrize(
