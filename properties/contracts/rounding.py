@@ -18,7 +18,7 @@ from properties.contracts.strings import GAPS_FIT, any_edge, border_and_neighbou
 from properties.engine.rounded import Machine, Rounded
 from properties.given import Given, Infeasible
 from reference.world import Facing, World
-from spec.body import EdgePosition
+from spec.body import EdgePosition, Level
 from spec.conditions import EDGES_LONG, IN_ORDER
 from spec.graph import Direction
 from spec.invariants import equal
@@ -96,12 +96,18 @@ def any_scene(given: Given, direction: Direction, closed: bool, last: bool) -> S
     level = border_and_neighbour(given, closed, last)
     for edge in level.graph.edges if closed else level.graph.edges[1:]:
         given.assume(edge.length >= level.margin, EDGES_LONG.id)
-    level = level if direction is Direction.RIGHT else mirror(level)
-    exact = world_with(level, free).facing(direction)
+    scene = scene_of(machine, level, free, direction)
     if closed:
+        exact = scene.exact
         gap, length = exact.gap(exact.front(0), 1), exact.world.rows[0].length
         given.assume((gap <= free) & (gap >= 0), GAPS_FIT)
         given.assume(free + LITTLE <= length, WIDER)
+    return scene
+
+
+def scene_of(machine: Machine, level: Level[Any], free: Any, direction: Direction) -> Scene:
+    """What a body sees in a level, or in its mirror image if it goes to the left; of a ring so much is free."""
+    exact = world_with(level if direction is Direction.RIGHT else mirror(level), free).facing(direction)
     return Scene(machine, exact, held_by(machine, exact.world, free).facing(direction))
 
 
@@ -209,9 +215,8 @@ def push_keeps_the_margin_nearly(
     given.assume(far.location >= near.location, IN_ORDER.id)
     ends = EdgePosition(0, length * 0), EdgePosition(0, length)
     level = level_of([length], False, margin, (ends[0], near), (far, ends[1]))
-    exact = world_with(level if direction is Direction.RIGHT else mirror(level), None).facing(direction)
-    scene = Scene(machine, exact, held_by(machine, exact.world, None).facing(direction))
-    gap, facing = exact.gap(exact.front(0), 1), scene.view.rear(1)
+    scene = scene_of(machine, level, length, direction)
+    gap, facing = scene.exact.gap(scene.exact.front(0), 1), scene.view.rear(1)
     spare, before = given.natural("bodies that may still be asked"), any_motion(given, scene)
     other = any_neighbour(given, machine)
     after = ran(profile, given, scene, before, spare, other)
