@@ -51,6 +51,8 @@ OBLIGATIONS = (
     "properties.contracts.endings",
     "properties.contracts.bounces",
     "properties.contracts.reach",
+    "properties.contracts.rounding",
+    "properties.contracts.rounded_steps",
     "properties.worlds.window",
 )
 WHOLE_STEPS = ("seen_by", "steps_keep_the_invariants", "steps_have_mirror_images", "steps_may_be_split")
