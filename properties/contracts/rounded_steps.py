@@ -23,7 +23,7 @@ from properties.engine.timed import Speed, Time, Ways
 from properties.given import Given
 from properties.worlds.changes import in_numbers
 from properties.worlds.storeys import Setting, any_places
-from reference.storeys import StoreyWorld, around
+from reference.storeys import StoreyWorld
 from spec.graph import Direction
 from spec.invariants import equal, every
 from spec.number import Truth
@@ -60,11 +60,14 @@ class Courses:
         return world.places[body].left.held - self.exact.places[body].left - way
 
     def same(self, one: Any, two: Any, within: Any) -> Truth:
-        """Whether two ways are nearly the same; on a ring, whole rounds change no place."""
+        """Whether two ways are nearly the same; whole rounds change no place."""
+        return some(equal(one + by, two, within) for by in self.rounds)
+
+    @property
+    def rounds(self) -> list[Any]:
+        """No round, and on a ring as many as two courses may be apart, either way."""
         round_ = self.exact.circumference
-        if round_ is None:
-            return equal(one, two, within)
-        return some(equal(one + round_ * rounds, two, within) for rounds in range(-4, 5))
+        return [self.exact.margin * 0] if round_ is None else [round_ * rounds for rounds in range(-4, 5)]
 
 
 def any_courses(given: Given, setting: Setting) -> Courses:
@@ -154,7 +157,7 @@ def what_comes(given: Given, courses: Courses, kind: type[Mark]) -> tuple[Nearin
     given.assume(one is not None, "something comes nearer, in both")
     assert one is not None
     room, due = rooms[one.mark], one.speed.ways.due
-    given.assume((due >= room) & (due >= 0) & ((due == room) | (due == 0)), "it comes at the end of the while")
+    given.assume((due >= room) & (due >= 0) & ((due <= room) | (due <= 0)), "it comes at the end of the while")
     return one, room
 
 
@@ -197,13 +200,12 @@ def way_of(mark: Mark, courses: Courses) -> int:
 
 def looks_alike(given: Given, courses: Courses) -> None:
     """Assume that the same terrain is ahead of a body, and that who is over ground is so by more than what is off."""
-    round_ = courses.exact.circumference
     for body, place in enumerate(courses.exact.places):
         away = courses.away[body]
         for ground in courses.exact.terrain.ground(place.storey) if place.storey else ():
             over = some(
                 before(ground.left + by, place.right, away) & before(place.left, ground.right + by, away)
-                for by in ([place.left * 0] if round_ is None else around(round_))
+                for by in courses.rounds
             )
             given.assume(over, "a body is over its ground by more than it is off")
         for wall in courses.exact.terrain.on(place.storey) if courses.exact.ends is not None else ():
@@ -229,9 +231,7 @@ def comes_round_alike(given: Given, courses: Courses) -> None:
             offset = courses.exact.offset(body, place.support)
             moved = offset + courses.away[body] - courses.away[place.support]
             between = moved * 2 + place.width - courses.exact.places[place.support].width
-            given.assume(
-                (seen.offset(body, place.support) == moved) & equal(between, round_ * 0, round_ - LITTLE), WIDER
-            )
+            given.assume(equal(between, round_ * 0, round_ - LITTLE), WIDER)
     for speed in courses.speeds.values():
         given.assume(equal(speed.ways.gone, round_ * 0, round_ - LITTLE), "nobody goes round more than once")
 
