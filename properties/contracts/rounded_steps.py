@@ -67,7 +67,7 @@ class Courses:
     def rounds(self) -> list[Any]:
         """No round, and on a ring as many as two courses may be apart, either way."""
         round_ = self.exact.circumference
-        return [self.exact.margin * 0] if round_ is None else [round_ * rounds for rounds in range(-4, 5)]
+        return [self.exact.margin * 0] if round_ is None else [round_ * rounds for rounds in range(-3, 4)]
 
 
 def any_courses(given: Given, setting: Setting) -> Courses:
@@ -119,15 +119,12 @@ def errors_spread_so(
 ) -> None:
     """What comes is early or late by no more than what its two bodies are off, and some roundings, or than the instant
     before; nobody is off by more than before, and some roundings; and where there is room enough, that is used up.
-
-    The first body of what comes may go one way alone, as the second one sees it.
     """
     courses, roundings = any_courses(given, setting), roundings_of(setting.ring)
     looks_alike(given, courses)
     comes_round_alike(given, courses)
     one, room = what_comes(given, courses, kind)
-    if way is not None:
-        given.assume(toward(one.mark, courses.velocities) * way > 0, "it goes this way")
+    goes_one_way(given, courses, one.mark, way)
     time = Seen(getattr(profile.rules, FAMILIES[kind]), given).choose(one).effect(one)
     goes_on_in_time(given, courses, one, time)
     after = courses.nearly.copy()
@@ -146,6 +143,14 @@ def errors_spread_so(
         off = courses.apart(after, body, speed.ways.due) - speed.ways.late_after
         most = courses.off[body] + courses.astray[body] + roundings.stretch
         given.ensure(f"{body} is off by some roundings more", courses.same(off, off * 0, most))
+
+
+def goes_one_way(given: Given, courses: Courses, mark: Mark, way: Direction | None) -> None:
+    """Assume that the first body goes one way, as the second one sees it: half of what is proved then comes to its end
+    by itself, and the other half is that of the other way.
+    """
+    if way is not None:
+        given.assume(toward(mark, courses.velocities) * way > 0, "it goes this way")
 
 
 def what_comes(given: Given, courses: Courses, kind: type[Mark]) -> tuple[Nearing[Any], Any]:
