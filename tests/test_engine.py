@@ -11,7 +11,9 @@ from properties.engine import explore as engine
 from properties.engine.explore import Counterexample, Outcome, explore
 from properties.engine.formulas import EngineError, conjunction, disjunction
 from properties.engine.merge import merged
+from properties.engine.rounded import Machine, Rounded
 from properties.engine.simplest import smallest
+from properties.engine.timed import Speed, Time, Ways
 from properties.given import Exact, Infeasible
 
 
@@ -603,3 +605,150 @@ def test_premises_hold_on_every_path_and_are_judged_once():
     assert outcome.proved
     assert (outcome.paths, outcome.checks) == (2, 7)
     assert outcome.assumed == outcome.used == {"a >= 0", "b >= 0", "a is small", "b is small"}
+
+
+def made(program, **values):
+    """What a program makes of known numbers; None if they break a premise."""
+    try:
+        return program(Machine(Exact(values)))
+    except Infeasible:
+        return None
+
+
+def refuses(product):
+    """Whether what is asked for is refused, since it is rounded in a way that is not known."""
+    try:
+        product()
+    except TypeError as error:
+        return "is rounded, in a way that is not known here" in str(error)
+    return False
+
+
+QUARTERS = [Fraction(number, 4) for number in range(10)]
+
+
+@pytest.mark.parametrize(
+    ("exact", "least", "most"),
+    [(5, 4, 6), (Fraction(1, 2), Fraction(1, 4), Fraction(3, 2)), (0, 0, 0), (-1, -2, -Fraction(1, 4)), (-5, -6, -4)],
+)
+def test_what_is_held_is_off_by_a_rounding_at_most_and_has_the_sign_of_the_exact_result(exact, least, most):
+    found = [made(lambda machine: machine.rounded(Fraction(exact)), **{"error 1": error}) for error in QUARTERS]
+    held = {one.held for one in found if one is not None}
+    assert held == {quarter for quarter in (exact + error - 1 for error in QUARTERS) if least <= quarter <= most}
+
+
+def five_and_three(*errors):
+    """Two numbers of a machine that makes errors."""
+    machine = Machine(Exact({f"error {number}": error for number, error in enumerate(errors, 1)}))
+    return machine, Rounded(machine, Fraction(5)), Rounded(machine, Fraction(3))
+
+
+def test_the_same_sum_is_rounded_alike_and_nothing_added_is_not_rounded():
+    machine, one, two = five_and_three(Fraction(3, 2), Fraction(1, 2))
+    assert (one + two).held == Fraction(17, 2)
+    assert (two + one) is (one + two)
+    assert (one - two).held == Fraction(3, 2)
+    assert one + two * 0 is one
+    assert two * 0 + one is one
+    assert one - two * 0 is one
+    assert 0 + one is one
+    assert (one - one).held == 0
+    assert machine.errors == 2
+
+
+def test_of_numbers_that_are_known_only_a_plain_0_is_nothing():
+    for known in (Fraction(0), 1, -1):
+        machine, one, _ = five_and_three(Fraction(3, 2), Fraction(3, 2))
+        assert (one + known).held == 5 + known + Fraction(1, 2)
+        assert (one - known).held == 5 - known + Fraction(1, 2)
+        assert machine.errors == 2
+
+
+def test_a_product_is_rounded_unless_it_changes_only_the_sign_or_the_exponent():
+    machine, one, _ = five_and_three(Fraction(3, 2), Fraction(3, 2))
+    assert one * 1 is one
+    assert [((one * by).held, (one * by).nothing) for by in (-2, -1, 0, 2)] == [
+        (-10, False),
+        (-5, False),
+        (0, True),
+        (10, False),
+    ]
+    assert (one * 0 * 2).nothing
+    assert machine.errors == 0
+    half = Fraction(1, 2)
+    assert (one * half).held == 3
+    assert (one * 3).held == 15 + half
+    assert machine.errors == 2
+
+
+def test_a_quotient_is_rounded_before_it_is_divided():
+    _, one, _ = five_and_three(Fraction(3, 2), Fraction(3, 2))
+    assert one / 1 is one
+    assert (one / Fraction(1, 2)).held == 11
+    assert (one / 2).held == Fraction(11, 4)
+
+
+def test_what_is_rounded_in_a_way_that_is_not_known_is_refused():
+    _, one, two = five_and_three(1, 1, 1, 1)
+    assert refuses(lambda: one * two)
+    assert refuses(lambda: one / two)
+    for known in (3, Fraction(1, 3)):
+        assert not refuses(lambda by=known: one * by)
+        assert not refuses(lambda by=known: one / by)
+
+
+def test_numbers_of_a_machine_are_compared_as_they_are_held():
+    _, one, two = five_and_three()
+    for other in (two, 3, Fraction(3)):
+        assert (one > other, one >= other, one < other, one <= other, one == other) == (True, True, False, False, False)
+    assert (two < one, two <= one, two > one, two >= one, two == one) == (True, True, False, False, False)
+    same = Rounded(one.machine, Fraction(5))
+    assert (one > same, one >= same, one < same, one <= same, one == same) == (False, True, False, True, True)
+
+
+ONE_WAY = Ways(due=Fraction(100), late=Fraction(20), gone=Fraction(90), astray=Fraction(3))
+OTHER_WAY = Ways(due=Fraction(70), late=Fraction(7), gone=Fraction(64), astray=Fraction(1))
+
+
+def test_ways_are_added_as_velocities_are_and_the_error_is_one_of_the_machine():
+    assert ONE_WAY.minus(OTHER_WAY, Fraction(1, 2)) == Ways(30, 13, Fraction(53, 2), Fraction(5, 2))
+    assert ONE_WAY.times(-1) == Ways(-100, -20, -90, -3)
+    assert ONE_WAY.late_after == 7
+
+
+def difference_of_speeds(machine):
+    """The difference of two velocities that a machine holds."""
+    one, other = (
+        Speed(machine=machine, held=Fraction(held), ways=ways) for held, ways in ((9, ONE_WAY), (4, OTHER_WAY))
+    )
+    return one - other
+
+
+def test_a_difference_of_velocities_goes_astray_by_a_rounding_at_most():
+    found = {error: made(difference_of_speeds, **{"error 1": error}) for error in QUARTERS}
+    assert [error for error, one in found.items() if one is None] == [Fraction(9, 4)]
+    for error in QUARTERS[:-1]:
+        assert found[error].held == 5
+        assert found[error].ways == ONE_WAY.minus(OTHER_WAY, error - 1)
+
+
+def test_the_way_that_a_velocity_goes_in_a_time_is_rounded():
+    def way(machine):
+        return Speed(machine=machine, held=Fraction(9), ways=ONE_WAY) * Time(Fraction(1))
+
+    assert made(way, **{"error 1": Fraction(3, 2)}).held == 90 + Fraction(1, 2)
+
+
+def test_in_the_time_for_a_way_a_velocity_goes_that_way_but_for_a_rounding():
+    def time(machine):
+        return Rounded(machine, 90 - Fraction(1, 2)) / Speed(machine=machine, held=Fraction(9), ways=ONE_WAY)
+
+    found = {error: made(time, **{"error 1": error}) for error in QUARTERS}
+    assert [error for error, one in found.items() if one is not None] == [Fraction(3, 2)]
+    assert found[Fraction(3, 2)] == Time(90 - Fraction(1, 2))
+
+
+def test_times_are_compared_by_their_signs():
+    assert Time(Fraction(1)) * 0 <= Time(Fraction(0))
+    assert Time(Fraction(-1)) <= Time(Fraction(0))
+    assert not Time(Fraction(1)) <= Time(Fraction(0))

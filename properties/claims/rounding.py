@@ -62,21 +62,30 @@ RIDER = Setting("one on another", (Member(0, STILL), Member(1, STILL, 0)))
 LEDGE = Setting("one on ground", (Member(1, STILL),), (1,))
 
 
-def of_instant(setting: Setting, kind: type[Mark]) -> Obligation:
+def of_instant(setting: Setting, kind: type[Mark], way: Direction | None = None) -> Obligation:
     """An obligation on what comes of a kind to those that a setting has, whatever else is in the world."""
 
     def of_profile(profile: Any, given: Any) -> None:
-        rounded_steps.errors_spread_so(profile, given, setting, kind)
+        rounded_steps.errors_spread_so(profile, given, setting, kind, way)
 
-    return Obligation(f"{name_of(rounded_steps.errors_spread_so)} ({setting.name})", of_profile)
+    said = setting.name if way is None else f"{setting.name}, {way.name.lower()}"
+    return Obligation(f"{name_of(rounded_steps.errors_spread_so)} ({said})", of_profile)
 
 
-ROUND: tuple[tuple[Setting, type[Mark]], ...] = ((PAIR, Contact), (WALL, AtWall))
+def on_a_ring(setting: Setting) -> Setting:
+    """The same setting on a ring."""
+    return replace(setting, name=f"{setting.name} on a ring", ring=True)
+
+
+ROUND: tuple[tuple[Setting, type[Mark]], ...] = ((PAIR, Contact), (WALL, AtWall), (LEDGE, Seat))
 INSTANTS = (
-    *(of_instant(one, kind) for one, kind in (*ROUND, (RIDER, Seat), (LEDGE, Seat))),
+    *(of_instant(one, kind) for one, kind in (*ROUND, (RIDER, Seat))),
     Obligation(name_of(rounded_steps.first_comes_nearly_first), rounded_steps.first_comes_nearly_first),
 )
-ON_RINGS = tuple(of_instant(replace(one, name=f"{one.name} on a ring", ring=True), kind) for one, kind in ROUND)
+ON_RINGS = (
+    *(of_instant(on_a_ring(one), kind) for one, kind in ROUND),
+    *(of_instant(on_a_ring(RIDER), Seat, way) for way in Direction),
+)
 
 
 def counted(name: str, about: str, sentence: str, source: str, program: Callable[[Any], int]) -> Claim:
@@ -123,8 +132,8 @@ CLAIMS: tuple[Claim, ...] = (
     Claim(
         "claim/step-nearly-exact-on-rings",
         "rounding",
-        "What `invariant/step-nearly-exact` says holds on a ring of two that meet, and of who comes to a wall, with 6 "
-        "roundings, 3, and 12: a place that comes round is rounded once more.",
+        "What `invariant/step-nearly-exact` says holds on a ring of two that meet, of who comes to a wall, and of who "
+        "loses a support, with 6 roundings, 3, and 12: a place that comes round is rounded once more.",
         STEP_NEARLY_EXACT.source,
         STEP_NEARLY_EXACT.id,
         REPAIRED,

@@ -12,23 +12,26 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import Any
 
-from properties.conformance.spread import Roundings, roundings_of, who_meets
+from properties.conformance.spread import roundings_of, who_meets
 from properties.contracts.request import Seen
 from properties.contracts.rounding import LITTLE, WIDER
 from properties.engine.rounded import Machine, Rounded
 from properties.engine.timed import Speed, Time, Ways
 from properties.given import Given
+from properties.worlds.changes import in_numbers
 from properties.worlds.storeys import Setting, any_places
-from reference.storeys import StoreyWorld, Terrain
+from reference.storeys import StoreyWorld
+from spec.graph import Direction
 from spec.invariants import equal, every
-from spec.number import Truth, greater
+from spec.number import Truth
 from spec.profiles import SteppedProfile
 from spec.rules.event import Nearing
 from spec.rules.step import Event, contacts, go_on, losses, next_instant, walls
 from spec.stepped import some
-from spec.storeys import AtWall, Contact, Interval, Mark, Seat
+from spec.storeys import AtWall, Contact, Mark, Seat
 
 FAMILIES: Mapping[type, str] = {Contact: "contact", AtWall: "wall", Seat: "loss"}
 COMING: Mapping[type, Callable[..., Iterator[Nearing[Any]]]] = {Contact: contacts, AtWall: walls, Seat: losses}
@@ -47,16 +50,24 @@ class Courses:
     off: Mapping[int, Any]
     astray: Mapping[int, Any]
 
+    @property
+    def velocities(self) -> dict[int, Any]:
+        """How fast each body goes."""
+        return {body: speed.held for body, speed in self.speeds.items()}
+
     def apart(self, world: StoreyWorld[Any], body: int, way: Any) -> Any:
         """How far a body of the machine's world is from where it is in exact numbers when it has gone a way."""
         return world.places[body].left.held - self.exact.places[body].left - way
 
     def same(self, one: Any, two: Any, within: Any) -> Truth:
-        """Whether two ways are nearly the same; on a ring, whole rounds change no place."""
+        """Whether two ways are nearly the same; whole rounds change no place."""
+        return some(equal(one + by, two, within) for by in self.rounds)
+
+    @property
+    def rounds(self) -> list[Any]:
+        """No round, and on a ring as many as two courses may be apart, either way."""
         round_ = self.exact.circumference
-        if round_ is None:
-            return equal(one, two, within)
-        return some(equal(one + round_ * rounds, two, within) for rounds in range(-4, 5))
+        return [self.exact.margin * 0] if round_ is None else [round_ * rounds for rounds in range(-3, 4)]
 
 
 def any_courses(given: Given, setting: Setting) -> Courses:
@@ -66,7 +77,7 @@ def any_courses(given: Given, setting: Setting) -> Courses:
     off = {body: given.number(f"how far {body} is off at most") for body in bodies}
     astray = {body: given.number(f"how far the velocity of {body} leads astray at most") for body in bodies}
     speeds = {body: any_speed(given, machine, body, astray[body]) for body in bodies}
-    away, nearly = {}, held_by(machine, exact)
+    away, nearly = {}, in_numbers(exact, partial(Rounded, machine))
     for body, place in enumerate(exact.places):
         besides = signed(given, f"how far {body} is off")
         given.assume(equal(besides, besides * 0, off[body]), "it is off by that at most")
@@ -80,12 +91,10 @@ def once_round(given: Given, place: Any, body: int, round_: Any) -> Any:
     """A place, on a ring less than once round."""
     if round_ is None:
         return place
-    for by, way in ((round_, "left"), (round_ * -1, "right")):
-        if given.flag(f"{body} has come round to the {way}"):
-            place = place + by
-            break
-    given.assume((place >= 0) & (place < round_), "places on a ring are counted once round")
-    return place
+    found = given.number(f"where the machine has {body}")
+    given.assume(some(found == place + round_ * rounds for rounds in (-1, 0, 1)), "it may have come round")
+    given.assume(found <= round_, "places on a ring are counted once round")
+    return found
 
 
 def any_speed(given: Given, machine: Machine, body: int, most: Any) -> Speed:
@@ -105,64 +114,55 @@ def signed(given: Given, name: str) -> Any:
     return given.number(f"{name}, to the right") - given.number(f"{name}, to the left")
 
 
-def held_by(machine: Machine, world: StoreyWorld[Any]) -> StoreyWorld[Any]:
-    """A world as a machine holds it; the order of its bodies is known."""
-
-    def number(value: Any) -> Rounded:
-        return Rounded(machine, value)
-
-    def interval(one: Interval[Any]) -> Interval[Any]:
-        return Interval(number(one.left), number(one.right))
-
-    ground, other = world.terrain, world.copy()
-    solid = tuple(tuple(interval(one) for one in storey) for storey in ground.solid)
-    round_ = ground.circumference
-    other.terrain = Terrain(solid, ground.ends and interval(ground.ends), None if round_ is None else number(round_))
-    other.margin = number(world.margin)
-    other.places = [replace(one, left=number(one.left), width=number(one.width)) for one in world.places]
-    return other
-
-
 def errors_spread_so(
-    profile: SteppedProfile, given: Given, setting: Setting, kind: type[Mark], roundings: Roundings | None = None
+    profile: SteppedProfile, given: Given, setting: Setting, kind: type[Mark], way: Direction | None = None
 ) -> None:
     """What comes is early or late by no more than what its two bodies are off, and some roundings, or than the instant
     before; nobody is off by more than before, and some roundings; and where there is room enough, that is used up.
     """
-    courses, roundings = any_courses(given, setting), roundings or roundings_of(setting.ring)
+    courses, roundings = any_courses(given, setting), roundings_of(setting.ring)
     looks_alike(given, courses)
     comes_round_alike(given, courses)
     one, room = what_comes(given, courses, kind)
+    goes_one_way(given, courses, one.mark, way)
     time = Seen(getattr(profile.rules, FAMILIES[kind]), given).choose(one).effect(one)
     goes_on_in_time(given, courses, one, time)
     after = courses.nearly.copy()
     go_on(after, courses.speeds, time, set())
     bodies = [body for body in who_meets(one.mark) if body is not None]
     own = roundings.room + sum(courses.off[body] + courses.astray[body] for body in bodies)
-    late, earlier = one.speed.ways.late_after, greater(one.speed.ways.late, one.speed.ways.late * -1)
-    given.ensure("it is late by what is off, or as the instant before", equal(late, late * 0, greater(own, earlier)))
-    if room >= own + earlier:
-        used = toward(one.mark, {body: courses.apart(after, body, late * 0) for body in courses.speeds})
-        given.ensure("with room enough, it is late by what is off", equal(late, late * 0, own))
-        given.ensure(
-            "with room enough, the room is used up",
-            courses.same(used * way_of(one.mark, courses), room, roundings.meeting),
-        )
+    late, earlier = one.speed.ways.late_after, one.speed.ways.late
+    as_before = some(equal(late, late * 0, most) for most in (own, earlier, earlier * -1))
+    given.ensure("it is late by what is off, or as the instant before", as_before)
+    short = (room < own + earlier) | (room < own - earlier)
+    used = toward(one.mark, {body: courses.apart(after, body, late * 0) for body in courses.speeds})
+    used_up = courses.same(used * way_of(one.mark, courses), room, roundings.meeting)
+    given.ensure("with room enough, it is late by what is off", short | equal(late, late * 0, own))
+    given.ensure("with room enough, the room is used up", short | used_up)
     for body, speed in courses.speeds.items():
         off = courses.apart(after, body, speed.ways.due) - speed.ways.late_after
         most = courses.off[body] + courses.astray[body] + roundings.stretch
         given.ensure(f"{body} is off by some roundings more", courses.same(off, off * 0, most))
 
 
+def goes_one_way(given: Given, courses: Courses, mark: Mark, way: Direction | None) -> None:
+    """Assume that the first body goes one way, as the second one sees it: half of what is proved then comes to its end
+    by itself, and the other half is that of the other way.
+    """
+    if way is not None:
+        given.assume(toward(mark, courses.velocities) * way > 0, "it goes this way")
+
+
 def what_comes(given: Given, courses: Courses, kind: type[Mark]) -> tuple[Nearing[Any], Any]:
     """Something that comes at the end of the while, as the machine sees it, and the room to it in exact numbers."""
-    velocities = {body: speed.held for body, speed in courses.speeds.items()}
-    rooms = {one.mark: one.room for one in COMING[kind](courses.exact, velocities)}
+    rooms = {one.mark: one.room for one in COMING[kind](courses.exact, courses.velocities)}
     coming = [one for one in COMING[kind](courses.nearly, courses.speeds) if one.mark in rooms]
-    given.assume(len(coming) > 0, "something comes nearer, in both")
-    one = next((other for other in coming[1:] if given.flag(f"{other.mark} comes first")), coming[0])
-    room = rooms[one.mark]
-    given.assume(one.speed.ways.due == greater(room, room * 0), "it comes at the end of the while")
+    first = next(iter(coming), None)
+    one = next((other for other in coming[1:] if given.flag(f"{other.mark} comes first")), first)
+    given.assume(one is not None, "something comes nearer, in both")
+    assert one is not None
+    room, due = rooms[one.mark], one.speed.ways.due
+    given.assume((due >= room) & (due >= 0) & ((due <= room) | (due <= 0)), "it comes at the end of the while")
     return one, room
 
 
@@ -200,7 +200,7 @@ def toward(mark: Mark, ways: Mapping[int, Any]) -> Any:
 
 def way_of(mark: Mark, courses: Courses) -> int:
     """To which side the first body goes, as the second one sees it."""
-    return 1 if toward(mark, {body: speed.held for body, speed in courses.speeds.items()}) > 0 else -1
+    return 1 if toward(mark, courses.velocities) > 0 else -1
 
 
 def looks_alike(given: Given, courses: Courses) -> None:
@@ -208,7 +208,10 @@ def looks_alike(given: Given, courses: Courses) -> None:
     for body, place in enumerate(courses.exact.places):
         away = courses.away[body]
         for ground in courses.exact.terrain.ground(place.storey) if place.storey else ():
-            over = before(ground.left, place.right, away) & before(place.left, ground.right, away)
+            over = some(
+                before(ground.left + by, place.right, away) & before(place.left, ground.right + by, away)
+                for by in courses.rounds
+            )
             given.assume(over, "a body is over its ground by more than it is off")
         for wall in courses.exact.terrain.on(place.storey) if courses.exact.ends is not None else ():
             beside = before(place.left, wall.left, away) | before(wall.left, place.left, away)
@@ -233,9 +236,7 @@ def comes_round_alike(given: Given, courses: Courses) -> None:
             offset = courses.exact.offset(body, place.support)
             moved = offset + courses.away[body] - courses.away[place.support]
             between = moved * 2 + place.width - courses.exact.places[place.support].width
-            given.assume(
-                (seen.offset(body, place.support) == moved) & equal(between, round_ * 0, round_ - LITTLE), WIDER
-            )
+            given.assume(equal(between, round_ * 0, round_ - LITTLE), WIDER)
     for speed in courses.speeds.values():
         given.assume(equal(speed.ways.gone, round_ * 0, round_ - LITTLE), "nobody goes round more than once")
 

@@ -18,7 +18,7 @@ from properties.contracts.strings import GAPS_FIT, any_edge, border_and_neighbou
 from properties.engine.rounded import Machine, Rounded
 from properties.given import Given
 from reference.world import Facing, World
-from spec.body import EdgePosition
+from spec.body import EdgePosition, Level
 from spec.conditions import EDGES_LONG, IN_ORDER
 from spec.graph import Direction
 from spec.invariants import equal
@@ -65,7 +65,7 @@ class Neighbour:
         self.pushed = says + besides - self.astray
         given.assume(says <= asked.held + OVER + 1, "it says no more than was asked, nearly")
         given.assume(self.pushed <= self.able + self.off, "it moves no further than it can, nearly")
-        far = (says == asked.held) | (self.pushed >= self.able - self.off)
+        far = (says >= asked.held) | (self.pushed >= self.able - self.off)
         given.assume(far, "it moves by what was asked, or as far as it can, nearly")
         self.says = answer = Rounded(self.machine, says)
         return answer
@@ -96,12 +96,18 @@ def any_scene(given: Given, direction: Direction, closed: bool, last: bool) -> S
     level = border_and_neighbour(given, closed, last)
     for edge in level.graph.edges if closed else level.graph.edges[1:]:
         given.assume(edge.length >= level.margin, EDGES_LONG.id)
-    level = level if direction is Direction.RIGHT else mirror(level)
-    exact = world_with(level, free).facing(direction)
+    scene = scene_of(machine, level, free, direction)
     if closed:
+        exact = scene.exact
         gap, length = exact.gap(exact.front(0), 1), exact.world.rows[0].length
         given.assume((gap <= free) & (gap >= 0), GAPS_FIT)
         given.assume(free + LITTLE <= length, WIDER)
+    return scene
+
+
+def scene_of(machine: Machine, level: Level[Any], free: Any, direction: Direction) -> Scene:
+    """What a body sees in a level, or in its mirror image if it goes to the left; of a ring so much is free."""
+    exact = world_with(level if direction is Direction.RIGHT else mirror(level), free).facing(direction)
     return Scene(machine, exact, held_by(machine, exact.world, free).facing(direction))
 
 
@@ -115,9 +121,7 @@ def held_by(machine: Machine, exact: World[Any], free: Any) -> World[Any]:
     return world
 
 
-def segment_is_nearly_exact(
-    profile: Profile, given: Given, closed: bool, direction: Direction, last: bool, within: int | None = None
-) -> None:
+def segment_is_nearly_exact(profile: Profile, given: Given, closed: bool, direction: Direction, last: bool) -> None:
     """With edges as long as the margin, a segment does what it does in exact numbers, but for some roundings.
 
     A body nearer than the margin counts as if it were the margin away: nothing is free towards it.
@@ -126,7 +130,7 @@ def segment_is_nearly_exact(
     spare, before = given.natural("bodies that may still be asked"), any_motion(given, scene)
     ahead, other = ahead_of(given, scene, spare)
     after = ran(profile, given, scene, before, spare, other)
-    moved, most = scene.moved(after), within or (OF_A_SEGMENT_ON_A_RING if closed else OF_A_SEGMENT)
+    moved, most = scene.moved(after), OF_A_SEGMENT_ON_A_RING if closed else OF_A_SEGMENT
     stretch = Stretch(
         asked=before.rest.held,
         moved=moved,
@@ -148,33 +152,35 @@ def any_motion(given: Given, scene: Scene) -> Motion[Any, EdgePosition[Any]]:
 
 
 def ahead_of(given: Given, scene: Scene, spare: Any) -> tuple[Ahead, Neighbour]:
-    """What lies ahead of the body, and the one ahead; what that is off, and says, is off by any amount."""
-    view, able = scene.exact, given.number("capacity of the neighbour")
+    """What lies ahead of the body, and the one ahead."""
+    view, other = scene.exact, any_neighbour(given, scene.machine)
     gap, wall = greater(view.gap(view.front(0), 1), view.margin), view.world.to_wall(0, view.direction)
+    return Ahead(view.margin, gap, wall, other.able, spare), other
+
+
+def any_neighbour(given: Given, machine: Machine) -> Neighbour:
+    """Any body ahead; what that is off, and says, is off by any amount."""
+    able = given.number("capacity of the neighbour")
     off, astray = given.number("what the neighbour is off"), given.number("what it says is off")
-    ahead = Ahead(view.margin, gap, wall, able, spare)
-    return ahead, Neighbour(scene.machine, able, off, astray, able * 0)
+    return Neighbour(machine, able, off, astray, pushed=able * 0)
 
 
 def ran(
     profile: Profile, given: Given, scene: Scene, before: Motion[Any, Any], spare: Any, other: Neighbour
 ) -> Motion[Any, EdgePosition[Any]]:
-    """The motion after a segment, by the rules of a profile."""
-    running: Generator[Any, Any, Motion[Any, Any]]
+    """The motion after a segment, by the rules of a profile; it asks once at most."""
     running = profile.rules.segment(seen_by(given, profile.rules), scene.view, 0, before, spare)
-    answer = None
-    while True:
-        try:
-            ask = running.send(answer)
-        except StopIteration as end:
-            after: Motion[Any, Any] = end.value
-            return after
-        answer = other.answers(given, ask.distance)
+    try:
+        running.send(other.answers(given, next(running).distance))
+    except StopIteration as end:
+        after: Motion[Any, Any] = end.value
+        return after
+    raise AssertionError("it asks once at most")
 
 
 def goes_by_what_it_says(given: Given, before: Motion[Any, Any], after: Motion[Any, Any], moved: Any) -> None:
     """Promise that what is left is less by what has been moved, and is 0 or more, nearly."""
-    given.ensure(GOES, equal(before.rest.held - moved, after.rest.held, OF_A_WALK) & (after.rest.held >= -OVER))
+    given.ensure(GOES, equal(before.rest.held - moved, after.rest.held, OF_A_WALK) & (after.rest.held > -OVER))
 
 
 def walk_is_nearly_exact(
@@ -208,16 +214,15 @@ def push_keeps_the_margin_nearly(
     given.assume(far.location >= near.location, IN_ORDER.id)
     ends = EdgePosition(0, length * 0), EdgePosition(0, length)
     level = level_of([length], False, margin, (ends[0], near), (far, ends[1]))
-    exact = world_with(level if direction is Direction.RIGHT else mirror(level), None).facing(direction)
-    scene = Scene(machine, exact, held_by(machine, exact.world, None).facing(direction))
-    gap, facing = exact.gap(exact.front(0), 1), scene.view.rear(1)
+    scene = scene_of(machine, level, length, direction)
+    gap, facing = scene.exact.gap(scene.exact.front(0), 1), scene.view.rear(1)
     spare, before = given.natural("bodies that may still be asked"), any_motion(given, scene)
-    _, other = ahead_of(given, scene, spare)
+    other = any_neighbour(given, machine)
     after = ran(profile, given, scene, before, spare, other)
     gone = (scene.view.along(facing, other.says).location.held - facing.location.held) * direction
     left = gap + gone - scene.moved(after)
-    was_nearer = (gap < margin) & (left >= gap - nearer)
-    given.ensure("the margin is kept, nearly, or it comes no nearer", (left >= margin - apart) | was_nearer)
+    kept = (left >= margin - apart) | (left >= gap - nearer)
+    given.ensure("the margin is kept, nearly, or it comes no nearer", kept)
 
 
 @dataclass
@@ -253,7 +258,7 @@ def request_says_nearly_what_it_does(profile: Profile, given: Given, within: int
         number = len(went)
         going, moved = any_round(given, number)
         rest = Rounded(machine, given.number(f"left after segment {number}") - OVER)
-        given.assume(equal(motion.rest.held - moved, rest.held, OF_A_WALK) & (rest.held >= -OVER), GOES)
+        given.assume(equal(motion.rest.held - moved, rest.held, OF_A_WALK), GOES)
         went.append(went[-1] + moved)
         return Motion("ahead", rest, going)
 
@@ -261,17 +266,21 @@ def request_says_nearly_what_it_does(profile: Profile, given: Given, within: int
         tows.append(tow.moved)
         return "towed"
 
-    def stays(leaving: Any) -> Placement[Any, str]:
-        return Placement(leaving, "towed", tows[-1])
+    def stays(leaving: Any) -> Any:
+        return leaving
 
     parts = {"segment": segments, "follow": stand_in("follow", towed), "leave": stand_in("leave", stays)}
-    rules: Any = replace(profile.rules, **parts, depart=lambda *facts: facts[3])  # type: ignore[arg-type]
-    running: Generator[Any, Any, Any] = request(rules, view, 0, asked, 0)  # type: ignore[arg-type]
+    rules: Any = replace(profile.rules, **parts, depart=lambda *facts: Placement(*facts[3:]))  # type: ignore[arg-type]
     try:
-        next(running)
+        next(request(rules, view, 0, asked, 0))  # type: ignore[arg-type]
     except StopIteration as end:
         said = end.value
+    else:
+        raise AssertionError("none but its segments ask")
     off = within * (len(went) - 1) + 1
     given.ensure("it says what it does, nearly", equal(said.held, went[-1], off))
-    given.ensure("it tows its rear by what it says", said is tows[-1])
+    given.ensure("it tows its rear once", len(tows) == 1)
+    for tow in tows:
+        given.ensure("it tows its rear by what it says", said is tow)
+    given.ensure("it places its borders where they went, once", view.placed == [("ahead", "towed")])
     given.ensure("it says no more than was asked, nearly", said.held <= asked.held + OVER + 1)

@@ -4,7 +4,7 @@ order, bodies taken away, other numbers.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -46,20 +46,22 @@ def chosen(world: StoreyWorld[Any], bodies: Sequence[int]) -> StoreyWorld[Any]:
     return StoreyWorld(world.terrain, world.margin, [renamed(world.places[body]) for body in bodies])
 
 
-def in_floats(world: StoreyWorld[Any]) -> StoreyWorld[float]:
-    """The world in binary floating point."""
+def in_numbers(world: StoreyWorld[Any], number: Callable[[Any], Any]) -> StoreyWorld[Any]:
+    """The world with each number made another."""
 
-    def interval(one: Interval[Any]) -> Interval[float]:
-        return Interval(float(one.left), float(one.right))
+    def interval(one: Interval[Any]) -> Interval[Any]:
+        return Interval(number(one.left), number(one.right))
 
     old, ends, round_ = world.terrain, world.terrain.ends, world.terrain.circumference
     solid = tuple(tuple(map(interval, storey)) for storey in old.solid)
-    terrain = Terrain(solid, None if ends is None else interval(ends), None if round_ is None else float(round_))
-    places = [
-        Place(place.storey, float(place.left), float(place.width), place.support, place.pushes)
-        for place in world.places
-    ]
-    return StoreyWorld(terrain, float(world.margin), places)
+    terrain = Terrain(solid, None if ends is None else interval(ends), None if round_ is None else number(round_))
+    places = [replace(place, left=number(place.left), width=number(place.width)) for place in world.places]
+    return StoreyWorld(terrain, number(world.margin), places)
+
+
+def in_floats(world: StoreyWorld[Any]) -> StoreyWorld[float]:
+    """The world in binary floating point."""
+    return in_numbers(world, float)
 
 
 def floating(drives: Drives) -> dict[int, Drive[float]]:

@@ -19,7 +19,9 @@ ENGINE = (
     "properties.engine.explore",
     "properties.engine.formulas",
     "properties.engine.reals",
+    "properties.engine.rounded",
     "properties.engine.simplest",
+    "properties.engine.timed",
 )
 TESTS = Path("tests/test_engine.py")
 TELLING = ("AssertionError", "EngineError", "Failed")
