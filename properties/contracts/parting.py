@@ -8,7 +8,7 @@ passed on twice, the second time when it is known who is squeezed.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -59,16 +59,20 @@ def found(rules: RowRules, row: Sequence[Member[Any]], others: Rest, ahead: Dire
     """What some members do, given from behind."""
     *reached, on = reaching(rules, others.ahead, row, ahead)
     *reached_back, back = reaching(rules, others.back, row[::-1], ahead.opposite)
-    parts = []
-    for member, speed, speed_back in zip(row, reached, reached_back[::-1], strict=True):
-        to = {ahead: speed, ahead.opposite: speed_back}
-        meeting = Meeting(member, to[Direction.RIGHT], to[Direction.LEFT], closed=False)
-        parts.append(rules.meet.choose(meeting).effect(meeting))
+    each = zip(row, reached, reached_back[::-1], strict=True)
+    parts = [part(rules, member, {ahead: speed, ahead.opposite: speed_back}) for member, speed, speed_back in each]
     *again, on_again = reaching(rules, others.ahead_again, parts, ahead)
     *again_back, back_again = reaching(rules, others.back_again, parts[::-1], ahead.opposite)
     left = cut(rules, parts, again, others.before, ahead)
     left_back = cut(rules, parts[::-1], again_back, others.behind, ahead.opposite)[::-1]
     return Found(on, on_again, back, back_again, list(zip(left, left_back, strict=True)))
+
+
+def part(rules: RowRules, member: Member[Any], to: Mapping[Direction, Any]) -> Member[Any]:
+    """A member as it takes part, when speeds reach it in each direction; the row does not close."""
+    meeting = Meeting(member, to[Direction.RIGHT], to[Direction.LEFT], closed=False)
+    taken: Member[Any] = rules.meet.choose(meeting).effect(meeting)
+    return taken
 
 
 def cut(rules: RowRules, row: list[Member[Any]], speeds: list[Any], beyond: Any | None, way: Direction) -> list[Any]:

@@ -79,11 +79,18 @@ def any_way(given: Given, body: int) -> Any:
 
 
 def ways_round(given: Given, world: StoreyWorld[Any], bodies: Iterable[int]) -> dict[int, Any]:
-    """Any ways of some bodies; on a ring nobody goes round more than once, else no proof would come to its end."""
-    ways, round_ = {body: any_way(given, body) for body in bodies}, world.circumference
-    for way in ways.values() if round_ is not None else ():
-        given.assume((way <= round_) & (way * -1 <= round_), ONCE)
+    """Any ways of some bodies; on a ring nobody goes round more than once."""
+    ways = {body: any_way(given, body) for body in bodies}
+    for way in ways.values():
+        at_most_round(given, world, way)
     return ways
+
+
+def at_most_round(given: Given, world: StoreyWorld[Any], way: Any) -> None:
+    """Assume that a way goes no more than once round a ring, else no proof would come to its end."""
+    round_ = world.circumference
+    if round_ is not None:
+        given.assume((way <= round_) & (way * -1 <= round_), ONCE)
 
 
 def any_marks(given: Given, world: StoreyWorld[Any]) -> set[Mark]:

@@ -252,6 +252,12 @@ def other_length(node: ast.AST) -> Iterator[ast.AST]:
         yield ast.keyword(node.arg, ast.BinOp(node.value, ast.Add(), node.value))
 
 
+def no_direction(node: ast.AST) -> Iterator[ast.AST]:
+    """What is taken in a direction, whatever the direction: what is left is wrong to one side only."""
+    if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Mult) and ast.unparse(node.right).endswith("direction"):
+        yield node.left
+
+
 def by_hand(node: ast.AST) -> Iterator[ast.AST]:
     """What is made by hand, for an expression or for an argument with its name."""
     if isinstance(node, ast.expr | ast.keyword):
@@ -278,6 +284,7 @@ OPERATORS: tuple[Operator, ...] = (
 )
 
 
+OF_RULES: tuple[Operator, ...] = (*OPERATORS, no_direction)
 EXACT: tuple[Operator, ...] = tuple(map(exactly, OPERATORS))
 
 
