@@ -50,6 +50,7 @@ Viewed = Callable[[], View]
 
 OF_MEMBERS = (images.rows_look_alike, images.members_look_alike)
 BEHIND, ALONE = "from behind", "without the rider"
+PUSHING = {"neither pushes": (), "the one behind pushes": (0,), "the one ahead pushes": (1,), "both push": (0, 1)}
 CARRIED = {"one off another": (0,), "one above two": (1, 2)}
 """Who is below, where it is not the second of two."""
 
@@ -83,6 +84,15 @@ def of_cut(program: Callable[[StepRules, Given, Setting], None], setting: Settin
     return Obligation(f"{name_of(program)} ({setting.name})", of_profile, (START,))
 
 
+def of_two(name: str, pushing: tuple[int, ...]) -> Obligation:
+    """That two who part are as fast, of whom some may push."""
+
+    def of_profile(profile: SteppedProfile, given: Given) -> None:
+        parting.who_part_are_as_fast(profile.rules, given, Direction.RIGHT, pushing)
+
+    return Obligation(f"{name_of(parting.who_part_are_as_fast)} ({name})", of_profile)
+
+
 def seen(name: str, view: Callable[[int], View], least: int, *needs: str) -> tuple[Obligation, ...]:
     """That all of a step is alike in a view of so many bodies, in windows of so many at least; settling needs more."""
     windows = [one for one in WINDOWS if len(one.members) >= least]
@@ -105,13 +115,10 @@ CUT = (
     *(of_cut(cuts.two_ways_are_one, setting) for setting in ONE),
     *(of_cut(cuts.who_is_held_has_room, setting) for setting in WINDOWS),
     *(of_cut(cuts.what_comes_is_nearer, setting) for setting in WINDOWS),
+    *(of_two(name, pushing) for name, pushing in PUSHING.items()),
     *(
         of_way(program, Direction.RIGHT)
-        for program in (
-            parting.who_part_are_as_fast,
-            parting.who_is_beyond_is_as_fast,
-            parting.who_leaves_a_wall_is_as_fast,
-        )
+        for program in (parting.who_is_beyond_is_as_fast, parting.who_leaves_a_wall_is_as_fast)
     ),
     *(in_view(program, BEHIND, partial(from_behind, 2)) for program in OF_MEMBERS),
 )

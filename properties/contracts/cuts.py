@@ -78,9 +78,8 @@ def two_ways_are_one(rules: StepRules, given: Given, setting: Setting) -> None:
     world = any_world(given, setting)
     direction = Direction.LEFT if given.flag("to the left") else Direction.RIGHT
     way, more = given.number("way"), given.number("way from there")
-    at_most_round(given, world, way + more)
-    other = world.copy()
-    for held, by in ((world, way), (world, more), (other, way + more)):
+    both, other = at_most_round(given, world, way + more), world.copy()
+    for held, by in ((world, way), (world, more), (other, both)):
         go_on(held, {0: by * direction}, UNIT, set())
     given.ensure("it is at the same place", alike(world, other))
 

@@ -33,6 +33,7 @@ from spec.stepped import margins_kept, outside_terrain
 from spec.storeys import AtWall, Contact, Drive, Mark, Seat
 
 Ways = Mapping[int, Any]
+Rows = list[tuple[tuple[int, ...], bool]]
 UNTIED = "no two tops are as much under a body that has not moved"
 
 
@@ -89,10 +90,11 @@ class View:
         """What is recorded of those in this view; what is next to them, or under them, is in it too."""
         return {self.of_mark(mark) for mark in marks if mark.body in self.bodies}
 
-    def of_rows(self, found: set[tuple[Any, bool]]) -> set[tuple[Any, bool]]:
-        """Rows of those in this view, from left to right; of one that closes, who is in it."""
-        seen = {(tuple(map(self.bodies.index, row)), closed) for row, closed in found if set(row) <= set(self.bodies)}
-        return {(tuple(sorted(row)) if closed else row[:: -1 if self.turned else 1], closed) for row, closed in seen}
+    def of_rows(self, found: Rows) -> Rows:
+        """Rows of those in this view, in order; each from left to right, or of one that closes, who is in it."""
+        seen = [(tuple(map(self.bodies.index, row)), closed) for row, closed in found if set(row) <= set(self.bodies)]
+        way = -1 if self.turned else 1
+        return sorted((tuple(sorted(row)) if closed else row[::way], closed) for row, closed in seen)
 
     def of_member(self, member: Member[Any]) -> Member[Any]:
         """A member of a row in this view."""
@@ -101,7 +103,7 @@ class View:
 
     def of_found(self, found: Found | None) -> Found | None:
         """What a body has found, in this view; who keeps its support looks for none."""
-        return found and replace(found, support=self.of_body(found.support))
+        return replace(found, support=self.of_body(found.support)) if found else None
 
 
 def from_behind(bodies: int) -> View:
@@ -129,16 +131,16 @@ class Untied:
         return self.family.choose(facts)
 
 
-def rows_of(world: StoreyWorld[Any], marks: set[Mark]) -> set[tuple[Any, bool]]:
-    """The rows of all storeys from left to right; of one that closes, who is in it."""
+def rows_of(world: StoreyWorld[Any], marks: set[Mark]) -> Rows:
+    """The rows of all storeys in order; each from left to right, or of one that closes, who is in it."""
     found = [one for storey in world.storeys() for one in rows(world, storey, marks)]
-    return {(tuple(sorted(row) if closed else row), closed) for row, closed in found}
+    return sorted((tuple(sorted(row) if closed else row), closed) for row, closed in found)
 
 
 def ensure_same(given: Given, name: str, one: Mapping[Any, Any], other: Mapping[Any, Any]) -> None:
     """Promise that two mappings have the same keys, and the same numbers."""
     given.ensure(name, one.keys() == other.keys())
-    given.ensure(name, every(one[key] == other[key] for key in one.keys() & other.keys()))
+    given.ensure(name, every(number == other.get(key, number) for key, number in one.items()))
 
 
 def ensure_nearing_alike(given: Given, here: Iterable[Nearing[Any]], there: Iterable[Nearing[Any]]) -> None:

@@ -8,12 +8,13 @@ passed on twice, the second time when it is known who is squeezed.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
 from properties.contracts.steps import any_member
-from properties.contracts.sweeps import AGAIN, BEYOND, NO_WALL, reaching, rest
+from properties.contracts.stretches import any_way
+from properties.contracts.sweeps import AGAIN, BEYOND, reaching, rest
 from properties.given import Given
 from spec.graph import Direction
 from spec.rules.row import Meeting, Member, RowRules, cut_back
@@ -107,10 +108,17 @@ def ensure_linked(given: Given, whole: Found, apart: Found, back: Any) -> None:
         given.ensure("nor does who passes it on", apart.speeds[-1][1] <= 0)
 
 
-def who_part_are_as_fast(rules: StepRules, given: Given, ahead: Direction) -> None:
-    """Of any two in contact that part, the one ahead is as fast without the one behind."""
-    row, others = [any_member(given, body) for body in (0, 1)], any_rest(given)
-    given.assume(ahead not in row[0].walls and ahead.opposite not in row[1].walls, NO_WALL)
+def any_beside(given: Given, body: int, side: Direction, pushes: bool) -> Member[Any]:
+    """Any member of a row, of two in contact: between them there is no wall, on the other side there may be one."""
+    walls = frozenset({side} if given.flag(f"a wall is beside {body}") else ())
+    return Member(body, any_way(given, body), pushes, walls)
+
+
+def who_part_are_as_fast(rules: StepRules, given: Given, ahead: Direction, pushing: Collection[int]) -> None:
+    """Of any two in contact that part, of whom some may push, the one ahead is as fast without the one behind."""
+    sides = (ahead.opposite, ahead)
+    row = [any_beside(given, body, side, body in pushing) for body, side in enumerate(sides)]
+    others = any_rest(given)
     whole = found(rules.row, row, others, ahead)
     given.assume(whole.velocity(0) < whole.velocity(1), PART)
     nothing = others.ahead * 0
@@ -127,7 +135,7 @@ def who_is_beyond_is_as_fast(rules: StepRules, given: Given, ahead: Direction) -
     given.assume(less <= others.ahead, LINKED)
     given.assume(others.ahead_again <= less, AGAIN)
     whole, apart = (found(rules.row, [member], one, ahead) for one in (others, replace(others, ahead=less)))
-    if others.ahead > 0 and less <= 0:
+    if less <= 0 < others.ahead:
         given.assume((whole.back <= 0) & (others.behind <= 0), LINKED)
     ensure_alike(given, whole, apart)
     given.ensure("it passes back the same again", whole.back_again == apart.back_again)

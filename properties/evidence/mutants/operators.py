@@ -90,6 +90,7 @@ BY_HAND: dict[str, tuple[str, ...]] = {
     "Change(rule.id, seat_of(world, body))": ("Change(rule.id, seat_of(world, 0))",),
     "reduce(lesser, sooner, left)": ("left", "left + left"),
     "not sooner": ("True", "False"),
+    "event.after < left": ("event.after + event.after < left", "left < event.after + event.after"),
     "event.after <= after": ("True",),
     "greater(nearing.room, zero_like(nearing.room)) / nearing.speed": (
         "greater(nearing.room + nearing.room, zero_like(nearing.room)) / nearing.speed",
