@@ -263,8 +263,8 @@ def facts_look_alike(rules: StepRules, given: Given, view: View) -> None:
     room = given.number("room")
     marks: dict[str, Mark] = {
         "contact": Contact(0, 1),
-        "wall": AtWall(0, 0, Direction.RIGHT),
-        "loss": Seat(0, 0, None),
+        "wall": AtWall(body, 0, Direction.RIGHT),
+        "loss": Seat(body, 0, None),
     }
     for (name, mark), speed in product(marks.items(), KNOWN_SPEEDS):
         nears = Nearing(mark, room, speed), Nearing(view.of_mark(mark), room, speed)
@@ -283,4 +283,4 @@ def tops_look_alike(rules: StepRules, given: Given, view: View) -> None:
         footing, body=view.bodies.index(0), tops=seen[:: -1 if view.turned else 1], motion=view.of_way(motion)
     )
     found, twin = (family.choose(one).effect(one) for one in (footing, there))
-    given.ensure("it stands on the same", twin == view.of_found(found))
+    given.ensure("it stands on the same", [twin] == [view.of_found(found)])
