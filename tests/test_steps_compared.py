@@ -101,7 +101,7 @@ FAULTS = {
         "forward",
         "row/pushed",
         lambda turn: turn.own + turn.passed,
-        "parting/who-part-are-as-fast (right)",
+        "parting/who-part-are-as-fast (both push)",
         "it is as fast ahead",
     ),
     "who is squeezed goes on": Fault(
@@ -179,7 +179,7 @@ def test_a_step_that_records_too_little_when_bodies_have_settled_is_refuted(monk
 
 def test_a_step_that_goes_on_too_long_is_refuted(monkeypatch):
     monkeypatch.setattr(cuts, "go_on", lambda world, ways, time, marks: step.go_on(world, ways, time * 2, marks))
-    assert "it is as much nearer" in broken(ALL["cuts/what-comes-is-nearer (two)"])
+    assert "the same comes nearer: room" in broken(ALL["cuts/what-comes-is-nearer (two)"])
 
 
 def test_a_step_that_does_not_stop_at_the_first_event_is_refuted(monkeypatch):

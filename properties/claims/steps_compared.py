@@ -6,6 +6,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
+from functools import partial
 
 from properties.claims.claim import Claim, Obligation, Verdict
 from properties.claims.repaired import (
@@ -44,28 +45,32 @@ RIDDEN = (
     Setting("one on another", (Member(0, STILL), Member(1, STILL, 0))),
     Setting("one on another on a ring", (Member(0, STILL), Member(1, STILL, 0)), ring=True),
 )
+Viewed = Callable[[], View]
+"""A view, made where it is used, so that a wrong one is noticed."""
+
 OF_MEMBERS = (images.rows_look_alike, images.members_look_alike)
-BEHIND = "from behind"
+BEHIND, ALONE = "from behind", "without the rider"
+PUSHING = {"neither pushes": (), "the one behind pushes": (0,), "the one ahead pushes": (1,), "both push": (0, 1)}
 CARRIED = {"one off another": (0,), "one above two": (1, 2)}
 """Who is below, where it is not the second of two."""
 
 
-def in_view(program: Callable[[StepRules, Given, View], None], name: str, view: View) -> Obligation:
+def in_view(program: Callable[[StepRules, Given, View], None], name: str, view: Viewed) -> Obligation:
     """An obligation on the rules of a step, in another view."""
 
     def of_profile(profile: SteppedProfile, given: Given) -> None:
-        program(profile.rules, given, view)
+        program(profile.rules, given, view())
 
     return Obligation(f"{name_of(program)} ({name})", of_profile)
 
 
 def of_worlds(
-    program: Callable[[StepRules, Given, Setting, View], None], setting: Setting, name: str, view: View, *needs: str
+    program: Callable[[StepRules, Given, Setting, View], None], setting: Setting, name: str, view: Viewed, *needs: str
 ) -> Obligation:
     """An obligation on the few that a setting has, whatever else is in the world, in another view."""
 
     def of_profile(profile: SteppedProfile, given: Given) -> None:
-        program(profile.rules, given, setting, view)
+        program(profile.rules, given, setting, view())
 
     return Obligation(f"{name_of(program)} ({setting.name}, {name})", of_profile, needs)
 
@@ -79,18 +84,27 @@ def of_cut(program: Callable[[StepRules, Given, Setting], None], setting: Settin
     return Obligation(f"{name_of(program)} ({setting.name})", of_profile, (START,))
 
 
+def of_two(name: str, pushing: tuple[int, ...]) -> Obligation:
+    """That two who part are as fast, of whom some may push."""
+
+    def of_profile(profile: SteppedProfile, given: Given) -> None:
+        parting.who_part_are_as_fast(profile.rules, given, Direction.RIGHT, pushing)
+
+    return Obligation(f"{name_of(parting.who_part_are_as_fast)} ({name})", of_profile)
+
+
 def seen(name: str, view: Callable[[int], View], least: int, *needs: str) -> tuple[Obligation, ...]:
     """That all of a step is alike in a view of so many bodies, in windows of so many at least; settling needs more."""
     windows = [one for one in WINDOWS if len(one.members) >= least]
     losses = [one for one in (*LOSSES, *BESIDE) if len(one.members) >= least]
     return (
-        *(in_view(program, name, view(4)) for program in (images.facts_look_alike, images.tops_look_alike)),
-        *(in_view(program, name, view(2)) for program in (images.records_look_alike, *OF_MEMBERS)),
-        *(of_worlds(images.worlds_look_alike, one, name, view(len(one.members)), START) for one in windows),
-        *(of_worlds(images.ways_look_alike, one, name, view(1), START) for one in ONE if least == 1),
-        *(of_worlds(images.settling_looks_alike, one, name, view(len(one.members)), *needs) for one in losses),
-        of_worlds(images.tops_are_listed_alike, TWO_BELOW, name, view(len(TWO_BELOW.members))),
-        of_worlds(images.velocities_look_alike, RIDDEN[0], name, view(2), START),
+        *(in_view(program, name, partial(view, 4)) for program in (images.facts_look_alike, images.tops_look_alike)),
+        *(in_view(program, name, partial(view, 2)) for program in (images.records_look_alike, *OF_MEMBERS)),
+        *(of_worlds(images.worlds_look_alike, one, name, partial(view, len(one.members)), START) for one in windows),
+        *(of_worlds(images.ways_look_alike, one, name, partial(view, 1), START) for one in ONE if least == 1),
+        *(of_worlds(images.settling_looks_alike, one, name, partial(view, len(one.members)), *needs) for one in losses),
+        of_worlds(images.tops_are_listed_alike, TWO_BELOW, name, partial(view, len(TWO_BELOW.members))),
+        of_worlds(images.velocities_look_alike, RIDDEN[0], name, partial(view, 2), START),
     )
 
 
@@ -101,24 +115,21 @@ CUT = (
     *(of_cut(cuts.two_ways_are_one, setting) for setting in ONE),
     *(of_cut(cuts.who_is_held_has_room, setting) for setting in WINDOWS),
     *(of_cut(cuts.what_comes_is_nearer, setting) for setting in WINDOWS),
+    *(of_two(name, pushing) for name, pushing in PUSHING.items()),
     *(
         of_way(program, Direction.RIGHT)
-        for program in (
-            parting.who_part_are_as_fast,
-            parting.who_is_beyond_is_as_fast,
-            parting.who_leaves_a_wall_is_as_fast,
-        )
+        for program in (parting.who_is_beyond_is_as_fast, parting.who_leaves_a_wall_is_as_fast)
     ),
-    *(in_view(program, BEHIND, from_behind(2)) for program in OF_MEMBERS),
+    *(in_view(program, BEHIND, partial(from_behind, 2)) for program in OF_MEMBERS),
 )
 BELOW = (
-    *(of_worlds(images.worlds_look_alike, setting, "without the rider", View((0,)), START) for setting in RIDDEN),
+    *(of_worlds(images.worlds_look_alike, one, ALONE, partial(View, (0,)), START) for one in RIDDEN),
     *(
-        of_worlds(images.settling_looks_alike, one, "without those above", View(CARRIED.get(one.name, (1,))))
+        of_worlds(images.settling_looks_alike, one, "without those above", partial(View, CARRIED.get(one.name, (1,))))
         for one in LOSSES
         if len(one.members) > 1
     ),
-    of_worlds(images.velocities_look_alike, RIDDEN[0], "without the rider", View((0,)), START),
+    of_worlds(images.velocities_look_alike, RIDDEN[0], ALONE, partial(View, (0,)), START),
 )
 KEPT = (*STRETCHES, *SETTLED)
 

@@ -12,12 +12,14 @@ from dataclasses import replace
 from itertools import product
 from typing import Any
 
+from properties.contracts.images import ensure_nearing_alike
 from properties.contracts.stretches import (
     CLOSED,
     FIRST,
     KNOWN_SPEEDS,
     UNIT,
     any_way,
+    at_most_round,
     nearings,
     shuts,
     ways_round,
@@ -57,12 +59,8 @@ def what_comes_is_nearer(rules: StepRules, given: Given, setting: Setting) -> No
     come = {one.mark for one in before if one.speed >= one.room}
     left = go_on(world, ways, UNIT, marks) | {mark for mark in come if not isinstance(mark, Seat)}
     given.ensure("what is recorded is what touches", left == touching(world))
-    after = {one.mark: one for one in nearings(world, ways) if one.mark not in come}
-    given.ensure("the same comes nearer", after.keys() == {one.mark for one in before} - come)
-    for one in before:
-        if one.mark in after:
-            given.ensure("it is as much nearer", after[one.mark].room == one.room - one.speed)
-            given.ensure("it comes as fast", after[one.mark].speed == one.speed)
+    to_come = [replace(one, room=one.room - one.speed) for one in before if one.mark not in come]
+    ensure_nearing_alike(given, to_come, (one for one in nearings(world, ways) if one.mark not in come))
 
 
 def who_is_held_has_room(rules: StepRules, given: Given, setting: Setting) -> None:
@@ -76,22 +74,24 @@ def who_is_held_has_room(rules: StepRules, given: Given, setting: Setting) -> No
 
 
 def two_ways_are_one(rules: StepRules, given: Given, setting: Setting) -> None:
-    """Any way, and then another one in the same direction, lead where both do at once; and the same stays recorded."""
+    """Any way, and then another one in the same direction, lead where both do at once."""
     world = any_world(given, setting)
-    (both,), share = ways_round(given, world, [0]).values(), any_way(given, 1)
-    way = both - share
-    given.assume(((way >= 0) & (share >= 0)) | ((way <= 0) & (share <= 0)), "it goes on in its direction")
-    other = world.copy()
-    for held, by in ((world, way), (world, share), (other, both)):
-        go_on(held, {0: by}, UNIT, set())
+    direction = Direction.LEFT if given.flag("to the left") else Direction.RIGHT
+    way, more = given.number("way"), given.number("way from there")
+    both, other = at_most_round(given, world, way + more), world.copy()
+    for held, by in ((world, way), (world, more), (other, both)):
+        go_on(held, {0: by * direction}, UNIT, set())
     given.ensure("it is at the same place", alike(world, other))
 
 
 def records_last(rules: StepRules, given: Given) -> None:
-    """What is left of what is recorded after a while is left of it after another one with the same velocities."""
+    """What is left of what is recorded after a while is left of it after another one with the same velocities, or if
+    all stand still.
+    """
     ways = {body: any_way(given, body) for body in (0, 1)}
     left = lasting(ways, {Contact(0, 1), *(AtWall(0, 0, direction) for direction in Direction)})
-    given.ensure("the same is left", lasting(ways, left) == left)
+    for held in (ways, dict.fromkeys(ways, UNIT * 0)):
+        given.ensure("no more is lost", left <= lasting(held, left))
 
 
 def time_goes_by(rules: StepRules, given: Given) -> None:

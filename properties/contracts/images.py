@@ -7,7 +7,7 @@ a few bodies and pieces of terrain, anywhere, with any ways. Those that do not a
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from itertools import combinations, product
 from typing import Any
@@ -26,13 +26,14 @@ from spec.invariants import every
 from spec.rule import AnyRule, Chooser
 from spec.rules.event import Nearing
 from spec.rules.row import Meeting, Member, cut_back, velocities
-from spec.rules.settle import Footing, Top, settle
+from spec.rules.settle import Footing, Found, Top, settle
 from spec.rules.step import StepRules, go_on, lasting, rows, touching, unheld, velocities_of
 from spec.rules.wish import Urge
 from spec.stepped import margins_kept, outside_terrain
 from spec.storeys import AtWall, Contact, Drive, Mark, Seat
 
 Ways = Mapping[int, Any]
+Rows = list[tuple[tuple[int, ...], bool]]
 UNTIED = "no two tops are as much under a body that has not moved"
 
 
@@ -89,15 +90,20 @@ class View:
         """What is recorded of those in this view; what is next to them, or under them, is in it too."""
         return {self.of_mark(mark) for mark in marks if mark.body in self.bodies}
 
-    def of_rows(self, found: set[tuple[Any, bool]]) -> set[tuple[Any, bool]]:
-        """Rows of those in this view, from left to right; of one that closes, who is in it."""
-        seen = {(tuple(map(self.bodies.index, row)), closed) for row, closed in found if set(row) <= set(self.bodies)}
-        return {(tuple(sorted(row)) if closed else row[:: -1 if self.turned else 1], closed) for row, closed in seen}
+    def of_rows(self, found: Rows) -> Rows:
+        """Rows of those in this view, in order; each from left to right, or of one that closes, who is in it."""
+        seen = [(tuple(map(self.bodies.index, row)), closed) for row, closed in found if set(row) <= set(self.bodies)]
+        way = -1 if self.turned else 1
+        return sorted((tuple(sorted(row)) if closed else row[::way], closed) for row, closed in seen)
 
     def of_member(self, member: Member[Any]) -> Member[Any]:
         """A member of a row in this view."""
         walls = frozenset(map(self.of_direction, member.walls))
         return replace(member, body=self.bodies.index(member.body), wish=self.of_way(member.wish), walls=walls)
+
+    def of_found(self, found: Found | None) -> Found | None:
+        """What a body has found, in this view; who keeps its support looks for none."""
+        return replace(found, support=self.of_body(found.support)) if found else None
 
 
 def from_behind(bodies: int) -> View:
@@ -125,15 +131,24 @@ class Untied:
         return self.family.choose(facts)
 
 
-def rows_of(world: StoreyWorld[Any], marks: set[Mark]) -> set[tuple[Any, bool]]:
-    """The rows of all storeys from left to right; of one that closes, who is in it."""
+def rows_of(world: StoreyWorld[Any], marks: set[Mark]) -> Rows:
+    """The rows of all storeys in order; each from left to right, or of one that closes, who is in it."""
     found = [one for storey in world.storeys() for one in rows(world, storey, marks)]
-    return {(tuple(sorted(row) if closed else row), closed) for row, closed in found}
+    return sorted((tuple(sorted(row) if closed else row), closed) for row, closed in found)
 
 
 def ensure_same(given: Given, name: str, one: Mapping[Any, Any], other: Mapping[Any, Any]) -> None:
     """Promise that two mappings have the same keys, and the same numbers."""
-    given.ensure(name, every(one[key] == other[key] for key in one) if one.keys() == other.keys() else False)
+    given.ensure(name, one.keys() == other.keys())
+    given.ensure(name, every(number == other.get(key, number) for key, number in one.items()))
+
+
+def ensure_nearing_alike(given: Given, here: Iterable[Nearing[Any]], there: Iterable[Nearing[Any]]) -> None:
+    """Promise that the same comes nearer, as near and as fast."""
+    here, there = list(here), list(there)
+    for number in ("room", "speed"):
+        each = ({one.mark: getattr(one, number) for one in found} for found in (here, there))
+        ensure_same(given, f"the same comes nearer: {number}", *each)
 
 
 def worlds_look_alike(rules: StepRules, given: Given, setting: Setting, view: View) -> None:
@@ -146,10 +161,7 @@ def worlds_look_alike(rules: StepRules, given: Given, setting: Setting, view: Vi
     given.ensure("the same rows", rows_of(other, view.of_marks(marks)) == view.of_rows(rows_of(world, marks)))
     given.ensure("the same seats hold", unheld(other) == view.of_marks(set(unheld(world))))
     here = [replace(one, mark=view.of_mark(one.mark)) for one in nearings(world, ways) if one.body in view.bodies]
-    there = list(nearings(other, view.of_ways(ways)))
-    for number in ("room", "speed"):
-        each = ({one.mark: getattr(one, number) for one in found} for found in (here, there))
-        ensure_same(given, f"the same comes nearer: {number}", *each)
+    ensure_nearing_alike(given, here, nearings(other, view.of_ways(ways)))
 
 
 def ways_look_alike(rules: StepRules, given: Given, setting: Setting, view: View) -> None:
@@ -232,11 +244,10 @@ def members_look_alike(rules: StepRules, given: Given, view: View) -> None:
         given.ensure("the same reaches it, and goes on", every(a == b for a, b in zip(here, there, strict=True)))
         here, there = (cut_back(rules.row, [one, rest(BEYOND, beyond, way)], [speed, beyond], way) for one, way in each)
         given.ensure("it goes as fast", here[0] == there[0])
-    parts = []
-    for one, by in ((member, speeds), (other, seen)):
-        meeting = Meeting(one, by[Direction.RIGHT], by[Direction.LEFT], closed)
-        parts.append(rules.meet.choose(meeting).effect(meeting))
-    part, twin = parts
+    meetings = [
+        Meeting(one, by[Direction.RIGHT], by[Direction.LEFT], closed) for one, by in ((member, speeds), (other, seen))
+    ]
+    part, twin = (rules.meet.choose(meeting).effect(meeting) for meeting in meetings)
     wished = view.of_member(part)
     given.ensure("it takes part alike", wished.wish == twin.wish)
     given.ensure("it is held alike", (wished.pushes, wished.walls) == (twin.pushes, twin.walls))
@@ -252,8 +263,8 @@ def facts_look_alike(rules: StepRules, given: Given, view: View) -> None:
     room = given.number("room")
     marks: dict[str, Mark] = {
         "contact": Contact(0, 1),
-        "wall": AtWall(0, 0, Direction.RIGHT),
-        "loss": Seat(0, 0, None),
+        "wall": AtWall(body, 0, Direction.RIGHT),
+        "loss": Seat(body, 0, None),
     }
     for (name, mark), speed in product(marks.items(), KNOWN_SPEEDS):
         nears = Nearing(mark, room, speed), Nearing(view.of_mark(mark), room, speed)
@@ -262,13 +273,14 @@ def facts_look_alike(rules: StepRules, given: Given, view: View) -> None:
 
 
 def tops_look_alike(rules: StepRules, given: Given, view: View) -> None:
-    """Any body over any three tops takes the same one in another view."""
+    """Any body over any three tops takes the same one in another view, if it takes one."""
     motion, tops = any_way(given, 0), [Top(body, given.number(f"over {body}")) for body in (1, 2, 3)]
     family = Untied(rules.settle, given) if view.reorders else rules.settle
-    footing = Footing(0, holds=False, ground=False, tops=tops, motion=motion)
+    lost = given.flag("its support is lost")
+    footing = Footing(0, holds=not lost, ground=given.flag("over ground"), tops=tops, motion=motion)
     seen = [replace(top, body=view.bodies.index(top.body)) for top in tops]
     there = replace(
         footing, body=view.bodies.index(0), tops=seen[:: -1 if view.turned else 1], motion=view.of_way(motion)
     )
     found, twin = (family.choose(one).effect(one) for one in (footing, there))
-    given.ensure("it stands on the same", (twin.stands, twin.support) == (found.stands, view.of_body(found.support)))
+    given.ensure("it stands on the same", [twin] == [view.of_found(found)])

@@ -8,12 +8,13 @@ passed on twice, the second time when it is known who is squeezed.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
 from properties.contracts.steps import any_member
-from properties.contracts.sweeps import AGAIN, BEYOND, NO_WALL, reaching, rest
+from properties.contracts.stretches import any_way
+from properties.contracts.sweeps import AGAIN, BEYOND, reaching, rest
 from properties.given import Given
 from spec.graph import Direction
 from spec.rules.row import Meeting, Member, RowRules, cut_back
@@ -59,16 +60,20 @@ def found(rules: RowRules, row: Sequence[Member[Any]], others: Rest, ahead: Dire
     """What some members do, given from behind."""
     *reached, on = reaching(rules, others.ahead, row, ahead)
     *reached_back, back = reaching(rules, others.back, row[::-1], ahead.opposite)
-    parts = []
-    for member, speed, speed_back in zip(row, reached, reached_back[::-1], strict=True):
-        to = {ahead: speed, ahead.opposite: speed_back}
-        meeting = Meeting(member, to[Direction.RIGHT], to[Direction.LEFT], closed=False)
-        parts.append(rules.meet.choose(meeting).effect(meeting))
+    each = zip(row, reached, reached_back[::-1], strict=True)
+    parts = [part(rules, member, {ahead: speed, ahead.opposite: speed_back}) for member, speed, speed_back in each]
     *again, on_again = reaching(rules, others.ahead_again, parts, ahead)
     *again_back, back_again = reaching(rules, others.back_again, parts[::-1], ahead.opposite)
     left = cut(rules, parts, again, others.before, ahead)
     left_back = cut(rules, parts[::-1], again_back, others.behind, ahead.opposite)[::-1]
     return Found(on, on_again, back, back_again, list(zip(left, left_back, strict=True)))
+
+
+def part(rules: RowRules, member: Member[Any], to: Mapping[Direction, Any]) -> Member[Any]:
+    """A member as it takes part, when speeds reach it in each direction; the row does not close."""
+    meeting = Meeting(member, to[Direction.RIGHT], to[Direction.LEFT], closed=False)
+    taken: Member[Any] = rules.meet.choose(meeting).effect(meeting)
+    return taken
 
 
 def cut(rules: RowRules, row: list[Member[Any]], speeds: list[Any], beyond: Any | None, way: Direction) -> list[Any]:
@@ -103,10 +108,17 @@ def ensure_linked(given: Given, whole: Found, apart: Found, back: Any) -> None:
         given.ensure("nor does who passes it on", apart.speeds[-1][1] <= 0)
 
 
-def who_part_are_as_fast(rules: StepRules, given: Given, ahead: Direction) -> None:
-    """Of any two in contact that part, the one ahead is as fast without the one behind."""
-    row, others = [any_member(given, body) for body in (0, 1)], any_rest(given)
-    given.assume(ahead not in row[0].walls and ahead.opposite not in row[1].walls, NO_WALL)
+def any_beside(given: Given, body: int, side: Direction, pushes: bool) -> Member[Any]:
+    """Any member of a row, of two in contact: between them there is no wall, on the other side there may be one."""
+    walls = frozenset({side} if given.flag(f"a wall is beside {body}") else ())
+    return Member(body, any_way(given, body), pushes, walls)
+
+
+def who_part_are_as_fast(rules: StepRules, given: Given, ahead: Direction, pushing: Collection[int]) -> None:
+    """Of any two in contact that part, of whom some may push, the one ahead is as fast without the one behind."""
+    sides = (ahead.opposite, ahead)
+    row = [any_beside(given, body, side, body in pushing) for body, side in enumerate(sides)]
+    others = any_rest(given)
     whole = found(rules.row, row, others, ahead)
     given.assume(whole.velocity(0) < whole.velocity(1), PART)
     nothing = others.ahead * 0
@@ -123,7 +135,7 @@ def who_is_beyond_is_as_fast(rules: StepRules, given: Given, ahead: Direction) -
     given.assume(less <= others.ahead, LINKED)
     given.assume(others.ahead_again <= less, AGAIN)
     whole, apart = (found(rules.row, [member], one, ahead) for one in (others, replace(others, ahead=less)))
-    if others.ahead > 0 and less <= 0:
+    if less <= 0 < others.ahead:
         given.assume((whole.back <= 0) & (others.behind <= 0), LINKED)
     ensure_alike(given, whole, apart)
     given.ensure("it passes back the same again", whole.back_again == apart.back_again)

@@ -79,11 +79,16 @@ def any_way(given: Given, body: int) -> Any:
 
 
 def ways_round(given: Given, world: StoreyWorld[Any], bodies: Iterable[int]) -> dict[int, Any]:
-    """Any ways of some bodies; on a ring nobody goes round more than once, else no proof would come to its end."""
-    ways, round_ = {body: any_way(given, body) for body in bodies}, world.circumference
-    for way in ways.values() if round_ is not None else ():
+    """Any ways of some bodies; on a ring nobody goes round more than once."""
+    return {body: at_most_round(given, world, any_way(given, body)) for body in bodies}
+
+
+def at_most_round(given: Given, world: StoreyWorld[Any], way: Any) -> Any:
+    """A way that goes no more than once round a ring: else no proof would come to its end."""
+    round_ = world.circumference
+    if round_ is not None:
         given.assume((way <= round_) & (way * -1 <= round_), ONCE)
-    return ways
+    return way
 
 
 def any_marks(given: Given, world: StoreyWorld[Any]) -> set[Mark]:

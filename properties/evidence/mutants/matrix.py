@@ -132,7 +132,7 @@ HEAD = """# What the mutants show
 Written by `make mutants-record`, checked by `make mutants`. [proofs.md](proofs.md) says what a mutant is.
 A row is a rule or a function, a column the claims that rest on the same evidence; a number says how many mutants of the
 row the evidence of the column catches. Counts, witnesses and random rows are tried only on what no obligation catches.
-Not tried are the whole steps of fixed settings. Of the very many proofs about images, cuts, partings and roundings,
+Not tried are the whole steps of fixed settings. Of the very many proofs about images, cuts and roundings,
 those are tried that have few paths, and in each view up to the first that catches one.
 What is by construction here may catch what was not tried.
 """

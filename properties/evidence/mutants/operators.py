@@ -90,6 +90,7 @@ BY_HAND: dict[str, tuple[str, ...]] = {
     "Change(rule.id, seat_of(world, body))": ("Change(rule.id, seat_of(world, 0))",),
     "reduce(lesser, sooner, left)": ("left", "left + left"),
     "not sooner": ("True", "False"),
+    "event.after < left": ("event.after + event.after < left", "left < event.after + event.after"),
     "event.after <= after": ("True",),
     "greater(nearing.room, zero_like(nearing.room)) / nearing.speed": (
         "greater(nearing.room + nearing.room, zero_like(nearing.room)) / nearing.speed",
@@ -252,6 +253,12 @@ def other_length(node: ast.AST) -> Iterator[ast.AST]:
         yield ast.keyword(node.arg, ast.BinOp(node.value, ast.Add(), node.value))
 
 
+def no_direction(node: ast.AST) -> Iterator[ast.AST]:
+    """What is taken in a direction, whatever the direction: what is left is wrong to one side only."""
+    if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Mult) and ast.unparse(node.right).endswith("direction"):
+        yield node.left
+
+
 def by_hand(node: ast.AST) -> Iterator[ast.AST]:
     """What is made by hand, for an expression or for an argument with its name."""
     if isinstance(node, ast.expr | ast.keyword):
@@ -278,6 +285,7 @@ OPERATORS: tuple[Operator, ...] = (
 )
 
 
+OF_RULES: tuple[Operator, ...] = (*OPERATORS, no_direction)
 EXACT: tuple[Operator, ...] = tuple(map(exactly, OPERATORS))
 
 

@@ -8,12 +8,16 @@ from functools import cache
 from typing import Any
 
 from properties.evidence.mutants.mutant import Mutant, called, mutants_of, told_apart
+from properties.evidence.mutants.operators import OF_RULES
 from spec.display import DISPLAYS
 from spec.profiles import OVERSHOOT, REPAIRED, THESIS
 from spec.readings import LANDING, LANDING_OVERSHOOT, PUSH_LIMIT, TICK_ORDER, as_listed, number_of_bodies
 from spec.rule import AnyFamily, AnyRule, Family
 
 PUT_TOGETHER = ("Rules.through", "StepRules.through", "StepRules.row", "VelocityRules.through", "DisplayRules.through")
+
+
+Effect = Callable[[Any], Any]
 
 
 def families_of(*records: Any) -> list[AnyFamily]:
@@ -58,6 +62,26 @@ def effect_mutants(family: AnyFamily) -> Iterator[Mutant]:
                 yield Mutant(rule.id, change, rule, "effect", other, reached_by(rule))
 
 
+def mutants_for_one(family: AnyFamily) -> Iterator[Mutant]:
+    """Each rule of a family, for the first body only with another effect of the family, or with its own twice."""
+    effects = [rule.effect for rule in family.rules]
+    for place, rule in enumerate(family.rules):
+        others = [one for one in (*effects[place:], *effects[:place]) if one is not rule.effect]
+        other = others[0] if others else twice(rule.effect)
+        change = f"{(others or effects)[0].__name__} {'' if others else 'twice '}for the first body"
+        yield Mutant(rule.id, change, rule, "effect", for_the_first(other, rule.effect), reached_by(rule))
+
+
+def twice(effect: Effect) -> Effect:
+    """An effect that gives twice as much."""
+    return lambda facts: effect(facts) + effect(facts)
+
+
+def for_the_first(other: Effect, own: Effect) -> Effect:
+    """An effect that is another one for the first body."""
+    return lambda facts: other(facts) if facts.body == 0 else own(facts)
+
+
 def one_less(bodies: int) -> int:
     """A push limit of one body less than there are."""
     return bodies - 1
@@ -94,7 +118,8 @@ def of_rules() -> dict[str, Mutant]:
 @cache
 def of_steps() -> dict[str, Mutant]:
     """All mutants of the rules of steps, by name."""
-    return told_apart(list(rule_mutants(REPAIRED.rules)))
+    for_one = (mutant for family in families_of(REPAIRED.rules) for mutant in mutants_for_one(family))
+    return told_apart([*rule_mutants(REPAIRED.rules), *for_one])
 
 
 @cache
@@ -116,4 +141,4 @@ def rule_mutants(*records: Any) -> Iterator[Mutant]:
             yield from guard_mutants(rule)
         yield from effect_mutants(family)
     for chapter in chapters_of(*records):
-        yield from mutants_of(chapter, *PUT_TOGETHER)
+        yield from mutants_of(chapter, *PUT_TOGETHER, operators=OF_RULES)

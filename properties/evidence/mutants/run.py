@@ -52,6 +52,7 @@ from properties.evidence.mutants.trial import (
     CRASHING,
     FEW,
     MANY,
+    SOME,
     Facts,
     Kill,
     count_crash,
@@ -137,9 +138,9 @@ class Known:
 
     @property
     def tried(self) -> dict[str, frozenset[str]]:
-        """The same of those on which all wrong rules are tried: of very many, only those that have few paths."""
-        few = self.few
-        return {name: called for name, called in self.calls.items() if name in few or not name.startswith(MANY)}
+        """The same of those on which all wrong rules are tried: of very many, only those that have some paths."""
+        many = {name for name in self.facts if name.startswith(MANY) and self.facts[name].paths > SOME}
+        return {name: called for name, called in self.calls.items() if name not in many}
 
     @property
     def premises(self) -> dict[str, tuple[str, ...]]:

@@ -33,15 +33,14 @@ from spec.rule import GuardError
 SAME = "the same, proved wherever"
 CRASHING = "makes its evidence crash"
 EXAMPLES, ROWS = 100, "rows: random"
-MANY, FEW = ("images/", "cuts/", "parting/", "rounding/", "rounded_steps/"), 64
-"""Chapters of many obligations, each on many settings: to try all wrong rules on all of them would take hours. They are
-tried on those of few paths, and that is so many.
+MANY, FEW, SOME = ("images/worlds", "images/settling", "cuts/what-comes", "rounding/", "rounded_steps/"), 64, 160
+"""Obligations that are made on many settings: to try all wrong rules on all of them would take hours. The rules are
+tried on those of some paths, the world of storeys on those of few, and that is so many.
 """
 LONG = frozenset({"differences-have-causes"})
 SLOW = frozenset(
     {
         "images/worlds-look-alike (one on another on a ring, from behind)",
-        "parting/who-part-are-as-fast (right)",
         "rounding/segment-is-nearly-exact (ring, left, an edge follows)",
         "rounding/segment-is-nearly-exact (ring, right, an edge follows)",
     }
