@@ -14,6 +14,7 @@ from typing import Any
 
 from properties.claims.catalogue import CLAIMS
 from properties.engine.explore import explore
+from properties.evidence.mutants.texts import of_texts
 from properties.evidence.mutants.mutant import Mutant, mutants_of, told_apart
 from properties.evidence.mutants.operators import WEAKENING
 from properties.evidence.mutants.rules import of_displays, of_rules, of_steps, of_velocities
@@ -48,6 +49,7 @@ OBLIGATIONS = (
     "properties.contracts.sweeps",
     "properties.contracts.instants",
     "properties.contracts.stretches",
+    "properties.contracts.one_drive",
     "properties.contracts.endings",
     "properties.contracts.bounces",
     "properties.contracts.reach",
@@ -87,7 +89,7 @@ def of_obligations() -> dict[str, Mutant]:
     return weakened(OBLIGATIONS)
 
 
-WRONG_ONES = (of_rules, of_steps, of_velocities, of_displays, of_worlds, of_contracts)
+WRONG_ONES = (of_rules, of_steps, of_velocities, of_displays, of_worlds, of_texts, of_contracts)
 """What makes the mutants of which obligations are to notice each."""
 
 

@@ -25,6 +25,7 @@ from properties.evidence.export import Recorder
 from properties.evidence.files import MUTANTS
 from properties.evidence.mutants import outings
 from properties.evidence.mutants.argued import ARGUED, CHANGES_NO_ANSWER
+from properties.evidence.mutants.texts import of_texts
 from properties.evidence.mutants.contracts import (
     PREMISES,
     kill_of_obligation,
@@ -95,13 +96,14 @@ GROUPS: dict[str, Callable[[], dict[str, Mutant]]] = {
     "velocity": of_velocities,
     "display": of_displays,
     "worlds": of_worlds,
+    "texts": of_texts,
     "contracts": of_contracts,
     "obligations": of_obligations,
     "invariants": of_invariants,
     "stepped": of_judges,
     "engine": of_engine,
 }
-WRONG = ("rules", "steps", "velocity", "display", "worlds", "contracts")
+WRONG = ("rules", "steps", "velocity", "display", "worlds", "texts", "contracts")
 """The groups of which obligations are to notice each."""
 OF_RULES = ("rules", "steps", "velocity", "display")
 """The groups of which all obligations that catch one are recorded."""
