@@ -9,6 +9,7 @@ from properties.claims.claim import Claim, Count, Obligation, Verdict
 from properties.claims.string import name_of, of_rules
 from properties.contracts import (
     batches,
+    batching,
     bounces,
     endings,
     instants,
@@ -339,6 +340,10 @@ CLAIMS: tuple[Claim, ...] = (
         premises=(START,),
         expected=BOUNDED,
         obligations=BATCHES,
+        counts=(
+            Count("counts/rows-are-laid-out", batching.rows_are_laid_out),
+            Count("counts/batches-are-where-events-lead", batching.batches_are_where_events_lead),
+        ),
     ),
     Claim(
         id="claim/batches-go-on",

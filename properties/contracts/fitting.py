@@ -20,5 +20,5 @@ def long_edges_fit(rules: Rules, given: Given) -> None:
             given.assume(end.length >= leaving.width, GUIDELINES.id)
             given.assume(end.reach == end.length, "a near end is an end of its edge")
     if rule in ("leave/fall", "leave/jump"):
-        given.ensure("the front border is on the edge of the rear border", placed.front.length is placed.rear.length)
+        given.ensure("the front border is on no later edge than the rear border", placed.front.edge <= placed.rear.edge)
         given.ensure("it is not beyond its end", placed.front.reach >= 0)

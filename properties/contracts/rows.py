@@ -44,7 +44,7 @@ def check_same_facts(given: Given, level: Level[Any], other: Level[Any], turned:
 
 
 def translation_keeps_extents(profile: Profile, given: Given) -> None:
-    """An edge leads from one vertex to the other, and extends as far across and up between the two moved by a vector."""
+    """An edge leads from one vertex to the other, as far across and up as between the two moved by a vector."""
     left, right, by = (Vertex(given.number(f"{name}.x"), given.number(f"{name}.y")) for name in ("left", "right", "by"))
     shift, moved = given.number("once round"), shifted(left, by)
     across, up = extent(left, right, shift)

@@ -14,10 +14,10 @@ from typing import Any
 
 from properties.claims.catalogue import CLAIMS
 from properties.engine.explore import explore
-from properties.evidence.mutants.texts import of_texts
 from properties.evidence.mutants.mutant import Mutant, mutants_of, told_apart
 from properties.evidence.mutants.operators import WEAKENING
 from properties.evidence.mutants.rules import of_displays, of_rules, of_steps, of_velocities
+from properties.evidence.mutants.texts import of_texts
 from properties.evidence.mutants.trial import (
     CRASHES,
     Kill,
@@ -43,6 +43,10 @@ OBLIGATIONS = (
     "properties.contracts.request",
     "properties.contracts.lemma",
     "properties.contracts.leaving",
+    "properties.contracts.fitting",
+    "properties.contracts.features",
+    "properties.contracts.ticks",
+    "properties.contracts.rows",
     "properties.contracts.families",
     "properties.contracts.steps",
     "properties.contracts.step_families",
@@ -50,12 +54,26 @@ OBLIGATIONS = (
     "properties.contracts.instants",
     "properties.contracts.stretches",
     "properties.contracts.one_drive",
+    "properties.contracts.batches",
     "properties.contracts.endings",
     "properties.contracts.bounces",
     "properties.contracts.reach",
     "properties.worlds.window",
 )
-WHOLE_STEPS = ("seen_by", "steps_keep_the_invariants", "steps_have_mirror_images", "steps_may_be_split")
+WHOLE_STEPS = (
+    "seen_by",
+    "steps_keep_the_invariants",
+    "steps_have_mirror_images",
+    "steps_may_be_split",
+    "rows_keep_the_invariants",
+    "neighbours_are_lawful",
+    "mirror_has_the_same_facts",
+    "check_same_facts",
+    "facts",
+    "same",
+    "batches_end_where_events_lead",
+    "speeds_are_kept_for_any_part",
+)
 """What is about worlds of fixed shape, on which no mutants are tried."""
 SPARED = ("ways_round",)
 """What only has proofs come to their end."""

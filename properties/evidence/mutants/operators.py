@@ -51,7 +51,6 @@ BY_HAND: dict[str, tuple[str, ...]] = {
         "depart(rules, view, body, motion.at, view.rear(body), tow.moved)",
     ),
     "rules.leave.choose(leaving).effect(leaving)": ("Placement(motion.at, rear, tow.moved)",),
-    "placement.moved": ("placement.moved + placement.moved",),
     "walk=rules.walk": ("walk=rules.fit",),
     "fit=rules.fit": ("fit=rules.walk",),
     "landing=rules.landing": ("landing=rules.walk",),
@@ -253,7 +252,7 @@ def with_argument(call: ast.Call, place: int, other: ast.expr) -> ast.Call:
 
 
 def other_length(node: ast.AST) -> Iterator[ast.AST]:
-    """Nothing, and twice as much, for a length that is handed on by its name; twice as much for one that is returned."""
+    """Nothing, and twice as much, for a length that is handed on by its name; twice as much for what is returned."""
     if isinstance(node, ast.keyword) and node.arg in (*LENGTHS, "width") and isinstance(node.value, ast.Name):
         yield ast.keyword(node.arg, times_zero(node.value))
         yield ast.keyword(node.arg, ast.BinOp(node.value, ast.Add(), node.value))
