@@ -9,6 +9,7 @@ from properties.claims.claim import Claim, Count, Obligation, Verdict
 from properties.claims.string import name_of, of_rules
 from properties.contracts import (
     batches,
+    batching,
     bounces,
     endings,
     instants,
@@ -176,7 +177,7 @@ ONE_KEY = tuple(of_way(sweeps.nobody_is_faster_than_all_wish, ahead) for ahead i
 
 FURTHEST = (
     *(of_way(one_drive.bodies_go_as_far_as_they_may, ahead) for ahead in Direction),
-    *of_steps(one_drive.wishes_go_one_way, one_drive.at_first_nobody_has_gone, one_drive.sums_are_the_closed_form),
+    *of_steps(one_drive.wishes_go_one_way, one_drive.sums_are_the_closed_form),
     of_window(one_drive.supports_are_in_order, one_drive.TWO_ON_TWO),
     of_window(one_drive.no_wall_is_between, WINDOWS[2]),
 )
@@ -339,6 +340,10 @@ CLAIMS: tuple[Claim, ...] = (
         premises=(START,),
         expected=BOUNDED,
         obligations=BATCHES,
+        counts=(
+            Count("counts/rows-are-laid-out", batching.rows_are_laid_out),
+            Count("counts/batches-are-where-events-lead", batching.batches_are_where_events_lead),
+        ),
     ),
     Claim(
         id="claim/batches-go-on",

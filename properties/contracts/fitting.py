@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from properties.contracts.leaving import leaves
 from properties.given import Given
+from properties.worlds.window import Spot
 from spec.conditions import GUIDELINES
 from spec.rules.request import Rules
 
@@ -15,9 +16,9 @@ def long_edges_fit(rules: Rules, given: Given) -> None:
     """
     rule, leaving, placed = leaves(rules, given)
     for end in (leaving.foot, *(jump.target for jump in leaving.near)):
-        if end is not None:
+        if isinstance(end, Spot):
             given.assume(end.length >= leaving.width, GUIDELINES.id)
             given.assume(end.reach == end.length, "a near end is an end of its edge")
     if rule in ("leave/fall", "leave/jump"):
-        given.ensure("the front border is on the edge of the rear border", placed.front.edge == placed.rear.edge)
+        given.ensure("the front border is on no later edge than the rear border", placed.front.edge <= placed.rear.edge)
         given.ensure("it is not beyond its end", placed.front.reach >= 0)

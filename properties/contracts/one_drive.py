@@ -31,7 +31,7 @@ ONE_WAY = "all ways are 0 or that of the drive"
 LIMITS = "nobody is beyond its limit"
 REACHED = "who is reached goes on, unless it is at its limit"
 RECURSION = "so far, it is as far as the closed form says"
-STILL_BEHIND = "if the one behind has gone, is not at its limit and stands, nobody from here on wishes to go"
+STILL_BEHIND = "if the one behind has gone and stands, it is still"
 STILL_BELOW = "if its wish has led somewhere and leads no further, nobody ahead wishes to go"
 
 STANDS = Drive(Fraction(0))
@@ -49,12 +49,12 @@ class Along:
 
     @property
     def has_stopped(self) -> Truth:
-        """Whether it has gone, is not at its limit, and stands."""
-        return every([self.far > 0, self.way <= 0, self.far < self.limit])
+        """Whether it has gone, and stands."""
+        return every([self.far > 0, self.way <= 0])
 
     def is_still(self, nobody_wishes: Truth) -> Truth:
-        """Whether it is at its limit, or nothing reaches it and nobody ahead wishes to go."""
-        return (self.far >= self.limit) | (self.reached <= 0) & nobody_wishes  # type: ignore[no-any-return]
+        """Whether it stands, and is at its limit or nobody ahead wishes to go."""
+        return every([self.way <= 0, (self.far >= self.limit) | nobody_wishes])
 
 
 def implies(premise: Truth, conclusion: Truth) -> Truth:
@@ -142,7 +142,7 @@ def assume_so_far(given: Given, one: Place) -> None:
     """What holds of a body at the beginning of a stretch."""
     given.assume(as_closed_form(one.far, one.limit, one.wished, one.follower.far - one.behind), RECURSION)
     nobody_wishes = (one.wish <= 0) & (one.ahead_wishes <= 0)
-    given.assume(implies(one.follower.has_stopped, nobody_wishes), STILL_BEHIND)
+    given.assume(implies(one.follower.has_stopped, one.follower.is_still(nobody_wishes)), STILL_BEHIND)
     given.assume(implies((one.wished > 0) & (one.wish <= 0), one.ahead_wishes <= 0), STILL_BELOW)
 
 
@@ -152,7 +152,7 @@ def way_by_rules(rules: RowRules, given: Given, one: Place, ahead: Direction) ->
     touches = given.flag("the contact with the one ahead is recorded")
     at_wall = given.flag("it is recorded to be at the wall")
     given.assume(not touched or one.follower.far - one.behind == one.far, SOUND)
-    given.assume(not touches or one.far - one.before == one.leader.far, SOUND)
+    given.assume(not touches or one.far - one.before >= one.leader.far, SOUND)
     given.assume(not at_wall or one.far == one.wall, SOUND)
     member = Member(0, one.wish * ahead, pushes=True, walls=frozenset({ahead}) if at_wall else frozenset())
     part = taking_part(rules, given, member, one.follower.reached if touched else one.wish * 0, ahead)
@@ -168,7 +168,8 @@ def taking_part(rules: RowRules, given: Given, member: Member[Any], passed: Any,
     """A member as it takes part; nothing comes to it from ahead, and nothing goes on from it backwards."""
     reached, _ = reaching(rules, passed, [member], ahead)
     back, on = reaching(rules, passed * 0, [member], ahead.opposite)
-    given.ensure("nobody goes back", (back <= 0) & (on <= 0))
+    given.ensure("nobody goes back", back <= 0)
+    given.ensure("nothing is passed on backwards", on <= 0)
     right, left = (reached, back) if ahead is Direction.RIGHT else (back, reached)
     meeting = Meeting(member, right, left, closed=False)
     return rules.meet.choose(meeting).effect(meeting)  # type: ignore[no-any-return]
@@ -178,9 +179,8 @@ def bodies_go_as_far_as_they_may(rules: StepRules, given: Given, ahead: Directio
     """Any body goes on exactly if it is reached and is not at its limit. If it was as far as the closed form says, then
     it is when the stretch ends.
 
-    If it has gone, is not at its limit and stands, nobody ahead wishes to go. A body is *still* if it is at its limit,
-    or nothing reaches it and nobody ahead wishes to go; then the next one stands, and is still. So ahead of one that
-    has gone and stands, all of its row stand.
+    A body is *still* if it stands, and is at its limit or nobody ahead wishes to go. Who has gone and stands is still,
+    and the next one of who is still. So ahead of one that has gone and stands, all of its row stand.
     """
     way = way_of_drive(given)
     one = any_place(given, way)
@@ -194,22 +194,13 @@ def bodies_go_as_far_as_they_may(rules: StepRules, given: Given, ahead: Directio
     reached = (goes.reached > 0) & (one.far < one.limit)
     given.ensure("it goes if it is reached and is not at its limit", implies(reached, goes.way > 0))
     given.ensure("else it stands", implies(negated(reached), goes.way <= 0))
-    given.ensure("it is not beyond its limit", one.far + goes.way <= one.limit)
     pushed = one.follower.far + one.follower.way - one.behind
     after = as_closed_form(one.far + goes.way, one.limit, one.wished + one.wish, pushed)
     given.ensure("it is as far as the closed form says", after)
-    given.ensure("if it has stopped, nobody ahead wishes to go", implies(goes.has_stopped, one.ahead_wishes <= 0))
+    still = goes.is_still(one.ahead_wishes <= 0)
+    given.ensure("who has gone and stands is still", implies(goes.has_stopped, still))
     ahead_of_follower = (one.wish <= 0) & (one.ahead_wishes <= 0)
-    still = one.follower.is_still(ahead_of_follower)
-    given.ensure("ahead of one that is still, it stands", implies(still, goes.way <= 0))
-    given.ensure("and is still", implies(still, goes.is_still(one.ahead_wishes <= 0)))
-
-
-def at_first_nobody_has_gone(rules: StepRules, given: Given) -> None:
-    """When a step begins, whatever the limits and rooms, each body is as far as the closed form says."""
-    one, zero = any_place(given, way_of_drive(given)), given.number("room") * 0
-    given.assume(one.limit >= zero, LIMITS)
-    given.ensure("it is as far as the closed form says", as_closed_form(zero, one.limit, zero, zero - one.behind))
+    given.ensure("ahead of one that is still, it is still", implies(one.follower.is_still(ahead_of_follower), still))
 
 
 def wishes_go_one_way(rules: StepRules, given: Given) -> None:
@@ -248,7 +239,8 @@ def no_wall_is_between(rules: StepRules, given: Given, setting: Setting) -> None
 def sums_are_the_closed_form(rules: StepRules, given: Given) -> None:
     """Of three in a row, what cumulative operations say of the one in the middle is what the closed form says of it.
 
-    The first stands for all that is pushed on from behind, the last for all that walls ahead allow.
+    The first stands for all that is pushed on from behind, the last for all that walls ahead allow. Where nobody has
+    wished to go, nobody has gone: so it is when a step begins.
     """
     wishes, walls = ([given.number(f"{name} {body}") for body in range(3)] for name in ("wish of", "wall of"))
     rooms = [given.number(f"room ahead of {body}") for body in range(2)]
@@ -259,3 +251,5 @@ def sums_are_the_closed_form(rules: StepRules, given: Given) -> None:
         found = along_row(wishes, rooms, walls, ahead)
         given.ensure("they agree", as_closed_form(found[1], limit, wishes[1], found[0] - rooms[0]))
         given.ensure("on the last too", as_closed_form(found[2], walls[2], wishes[2], found[1] - rooms[1]))
+        nobody = every(wish <= 0 for wish in wishes)
+        given.ensure("at first nobody has gone", implies(nobody, every(far == 0 for far in found)))

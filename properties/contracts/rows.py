@@ -44,11 +44,15 @@ def check_same_facts(given: Given, level: Level[Any], other: Level[Any], turned:
 
 
 def translation_keeps_extents(profile: Profile, given: Given) -> None:
-    """An edge between two vertices extends as far across and up as between the two moved by a vector."""
+    """An edge leads from one vertex to the other, as far across and up as between the two moved by a vector."""
     left, right, by = (Vertex(given.number(f"{name}.x"), given.number(f"{name}.y")) for name in ("left", "right", "by"))
-    shift = given.number("once round")
+    shift, moved = given.number("once round"), shifted(left, by)
     across, up = extent(left, right, shift)
-    across_after, up_after = extent(shifted(left, by), shifted(right, by), shift)
+    across_after, up_after = extent(moved, shifted(right, by), shift)
+    given.ensure("it leads to the other across", left.x + across == right.x + shift)
+    given.ensure("it leads to the other up", left.y + up == right.y)
+    given.ensure("a vertex is moved across by the vector", moved.x == left.x + by.x)
+    given.ensure("a vertex is moved up by the vector", moved.y == left.y + by.y)
     given.ensure("as far across", across == across_after)
     given.ensure("as far up", up == up_after)
 

@@ -10,6 +10,9 @@ CHANGES_NO_ANSWER = "changes no answer"
 
 SCALED = "of one sign with its inverse; a comparison may be multiplied by what is greater than 0"
 ARGUED = {
+    "simulator.Game.request: distance <= zero instead of distance < zero": "by nothing, nobody moves either way",
+    "batch.accumulate: rows <= MANY_ROWS instead of rows < MANY_ROWS": "few rows and many are swept to the same",
+    "batch.ways: 1 + row.max(initial=-1) + row.max(initial=-1) instead of 1 + row.max(initial=-1)": "room to spare",
     "explore.solver_for_reals: drop solver.set('random_seed', seed)": "the seed decides the work, and no answer",
     "explore.work_so_far: drop solver.check()": "what is counted is that of all solvers so far",
     "explore.Path.decide: self.met >= len(forks) instead of self.met == len(forks)": "it is never more",

@@ -17,6 +17,7 @@ from properties.engine.explore import explore
 from properties.evidence.mutants.mutant import Mutant, mutants_of, told_apart
 from properties.evidence.mutants.operators import WEAKENING
 from properties.evidence.mutants.rules import of_displays, of_rules, of_steps, of_velocities
+from properties.evidence.mutants.texts import of_texts
 from properties.evidence.mutants.trial import (
     CRASHES,
     Kill,
@@ -42,12 +43,18 @@ OBLIGATIONS = (
     "properties.contracts.request",
     "properties.contracts.lemma",
     "properties.contracts.leaving",
+    "properties.contracts.fitting",
+    "properties.contracts.features",
+    "properties.contracts.ticks",
+    "properties.contracts.rows",
     "properties.contracts.families",
     "properties.contracts.steps",
     "properties.contracts.step_families",
     "properties.contracts.sweeps",
     "properties.contracts.instants",
     "properties.contracts.stretches",
+    "properties.contracts.one_drive",
+    "properties.contracts.batches",
     "properties.contracts.endings",
     "properties.contracts.bounces",
     "properties.contracts.reach",
@@ -58,7 +65,20 @@ OBLIGATIONS = (
     "properties.contracts.rounded_steps",
     "properties.worlds.window",
 )
-WHOLE_STEPS = ("seen_by", "steps_keep_the_invariants", "steps_have_mirror_images", "steps_may_be_split")
+WHOLE_STEPS = (
+    "seen_by",
+    "steps_keep_the_invariants",
+    "steps_have_mirror_images",
+    "steps_may_be_split",
+    "rows_keep_the_invariants",
+    "neighbours_are_lawful",
+    "mirror_has_the_same_facts",
+    "check_same_facts",
+    "facts",
+    "same",
+    "batches_end_where_events_lead",
+    "speeds_are_kept_for_any_part",
+)
 """What is about worlds of fixed shape, on which no mutants are tried."""
 SPARED = ("ways_round", "at_most_round", "goes_one_way")
 """What only has proofs come to their end."""
@@ -92,7 +112,7 @@ def of_obligations() -> dict[str, Mutant]:
     return weakened(OBLIGATIONS)
 
 
-WRONG_ONES = (of_rules, of_steps, of_velocities, of_displays, of_worlds, of_contracts)
+WRONG_ONES = (of_rules, of_steps, of_velocities, of_displays, of_worlds, of_texts, of_contracts)
 """What makes the mutants of which obligations are to notice each."""
 
 

@@ -23,10 +23,11 @@ OTHER_BOUND: dict[type[ast.cmpop], tuple[type[ast.cmpop], ...]] = {
 EXCHANGED = {"front": "rear", "rear": "front", "drop": "across", "across": "drop"}
 SAME_KIND = {"other": "body", "rear": "front", "front": "rear"}
 ALIKE = "__import__('properties.evidence.mutants.mutant', fromlist=['alike']).alike"
+EXTREMES = ("lesser", "greater", "min", "max", "np.minimum", "np.maximum")
 OF_FORM = ("strict", "model_completion", "som", "arith_lhs", "sort_sums")
 """Options of `zip` and of the solver: what is noticed, in which form the same is said, which questions are saved."""
 LENGTHS = ("moved", "stride", "rest", "distance")
-TWICE = ("yield Ask", "yield from rules", "rules.follow", "rules.leave", "view.place")
+TWICE = ("yield Ask", "yield from rules", "rules.follow", "rules.leave", "view.place", "turns.append")
 BOTH_SIDED = ("view", "leaving", "placement", "jump", "other", "best", "placed")
 SEGMENT = "rules.segment(rules, view, body, motion, spare)"
 DEPART = "depart(rules, view, body, motion.at, rear, tow.moved)"
@@ -50,7 +51,6 @@ BY_HAND: dict[str, tuple[str, ...]] = {
         "depart(rules, view, body, motion.at, view.rear(body), tow.moved)",
     ),
     "rules.leave.choose(leaving).effect(leaving)": ("Placement(motion.at, rear, tow.moved)",),
-    "placement.moved": ("placement.moved + placement.moved",),
     "walk=rules.walk": ("walk=rules.fit",),
     "fit=rules.fit": ("fit=rules.walk",),
     "landing=rules.landing": ("landing=rules.walk",),
@@ -63,7 +63,10 @@ BY_HAND: dict[str, tuple[str, ...]] = {
         "other is not None and asked is not None and motion.at.edge",
         "other is not None and asked is not None and not motion.at.edge",
     ),
-    "view.along(motion.at, motion.rest)": ("view.along(motion.at, motion.rest + view.margin)",),
+    "view.along(motion.at, motion.rest)": (
+        "view.along(motion.at, motion.rest + view.margin)",
+        "view.along(motion.at, motion.rest - view.margin)",
+    ),
     "every((equal(went, call.moved, call.tolerance) for went in call.borders))": (
         "every(equal(went, call.moved, call.tolerance) for went in call.borders[:1])"
         " & (call.borders[-1] <= call.moved)",
@@ -75,6 +78,7 @@ BY_HAND: dict[str, tuple[str, ...]] = {
     "rules.way.choose(way).effect(way)": (
         "rules.way.choose(way).effect(way) + speed",
         "rules.way.choose(way).effect(way) - speed",
+        "rules.way.choose(way).effect(way) if way.ahead is None else way.ahead",
     ),
     "Way(member.body, speed, direction in member.walls, found[-1] if found else None)": (
         "Way(member.body, speed + speed, direction in member.walls, found[-1] if found else None)",
@@ -112,6 +116,8 @@ BY_HAND: dict[str, tuple[str, ...]] = {
     "footing.tops[-1]": ("footing.tops[0]",),
     "footing.tops[0]": ("footing.tops[-1]",),
     "urge.drive.relative": ("urge.drive.relative and urge.carried >= urge.carried * 0",),
+    "world.facing(direction)": ("world.copy().facing(direction)",),
+    "Direction.LEFT if distance < zero else Direction.RIGHT": ("Direction.LEFT", "Direction.RIGHT"),
     "walk_freely(tow.walk, tow.view, tow.rear, tow.moved).at": (
         "tow.view.along(tow.rear, tow.moved)",
         "tow.view.along(tow.rear, tow.moved + tow.view.margin)",
@@ -195,7 +201,7 @@ def opposite(node: ast.AST) -> Iterator[ast.AST]:
 
 def one_of_two(node: ast.AST) -> Iterator[ast.AST]:
     """One of the two of which the lesser or the greater is taken."""
-    if isinstance(node, ast.Call) and ast.unparse(node.func) in ("lesser", "greater", "min", "max"):
+    if isinstance(node, ast.Call) and ast.unparse(node.func) in EXTREMES:
         yield from (argument for argument in node.args if not isinstance(argument, ast.Starred))
 
 
@@ -247,10 +253,12 @@ def with_argument(call: ast.Call, place: int, other: ast.expr) -> ast.Call:
 
 
 def other_length(node: ast.AST) -> Iterator[ast.AST]:
-    """Nothing, and twice as much, for a length that is handed on by its name."""
+    """Nothing, and twice as much, for a length that is handed on by its name; twice as much for what is returned."""
     if isinstance(node, ast.keyword) and node.arg in (*LENGTHS, "width") and isinstance(node.value, ast.Name):
         yield ast.keyword(node.arg, times_zero(node.value))
         yield ast.keyword(node.arg, ast.BinOp(node.value, ast.Add(), node.value))
+    if isinstance(node, ast.Return) and isinstance(node.value, ast.Attribute) and node.value.attr in LENGTHS:
+        yield ast.Return(ast.BinOp(node.value, ast.Add(), node.value))
 
 
 def no_direction(node: ast.AST) -> Iterator[ast.AST]:

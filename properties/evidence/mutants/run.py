@@ -48,6 +48,7 @@ from properties.evidence.mutants.stepped import (
     kill_of_judge,
     of_judges,
 )
+from properties.evidence.mutants.texts import COUNTS, of_texts
 from properties.evidence.mutants.trial import (
     CRASHING,
     FEW,
@@ -96,13 +97,14 @@ GROUPS: dict[str, Callable[[], dict[str, Mutant]]] = {
     "velocity": of_velocities,
     "display": of_displays,
     "worlds": of_worlds,
+    "texts": of_texts,
     "contracts": of_contracts,
     "obligations": of_obligations,
     "invariants": of_invariants,
     "stepped": of_judges,
     "engine": of_engine,
 }
-WRONG = ("rules", "steps", "velocity", "display", "worlds", "contracts")
+WRONG = ("rules", "steps", "velocity", "display", "worlds", "texts", "contracts")
 """The groups of which obligations are to notice each."""
 OF_RULES = ("rules", "steps", "velocity", "display")
 """The groups of which all obligations that catch one are recorded."""
@@ -202,6 +204,9 @@ def kills_of(known: Known, group: str, name: str) -> tuple[Kill, ...]:
         if group == "worlds":
             first = one_or_none(kill_by_measures()) or tuple(outings.kills_by_storeys(first=True))
             return (*first, *kills_by_proofs(mutant, known.few))
+        if group == "texts":
+            counted_wrong = (Kill(one, wrong) for one in COUNTS if (wrong := miscounted(one)))
+            return tuple(kills_by_proofs(mutant, known.few)) or one_or_none(next(counted_wrong, None))
         if group in OF_A_FAMILY:
             return tuple(kills_by_proofs(mutant, known.tried)) or tuple(kills_by_counts(of_family(group)))
         proofs = tuple(kills_by_proofs(mutant, known.tried))
@@ -241,9 +246,9 @@ def taken_over(known: Known, group: str, name: str) -> Found | None:
 
 def kills_by_new_proofs(known: Known, group: str, name: str) -> Iterator[Kill]:
     """The obligations that catch a mutant of the rules, of those that the record does not know yet."""
-    of_group = known.few if group == "worlds" else known.tried
+    of_group = known.few if group in ("worlds", "texts") else known.tried
     calls = {one: called for one, called in of_group.items() if one not in known.recorded.premises}
-    if group in (*OF_RULES, "worlds"):
+    if group in (*OF_RULES, "worlds", "texts"):
         mutant = GROUPS[group]()[name]
         with mutant.in_place():
             yield from kills_by_proofs(mutant, calls)
@@ -313,6 +318,8 @@ def set_aside(known: Known, group: str, name: str) -> str | None:
         return count_crash(mutant, BANK)
     if group == "stepped":
         return crash_of_judge(mutant)
+    if group == "texts" and (crash := next(filter(None, (count_crash(mutant, one) for one in COUNTS)), None)):
+        return crash
     if group == "engine":
         return crashing_tests(mutant)
     if group in ("steps", "worlds"):
