@@ -51,6 +51,7 @@ OBLIGATIONS = (
     "properties.contracts.endings",
     "properties.contracts.bounces",
     "properties.contracts.reach",
+    "properties.contracts.velocities",
     "properties.worlds.window",
 )
 WHOLE_STEPS = ("seen_by", "steps_keep_the_invariants", "steps_have_mirror_images", "steps_may_be_split")

@@ -26,6 +26,8 @@ ALIKE = "__import__('properties.evidence.mutants.mutant', fromlist=['alike']).al
 OF_FORM = ("strict", "model_completion", "som", "arith_lhs", "sort_sums")
 """Options of `zip` and of the solver: what is noticed, in which form the same is said, which questions are saved."""
 LENGTHS = ("moved", "stride", "rest", "distance")
+RETURNED = ("turn.motion.velocity", "touch.body", "bounded.velocity", "moved.velocity", "moved.actual", "shift.target")
+"""Quantities that a rule hands on as they are."""
 TWICE = ("yield Ask", "yield from rules", "rules.follow", "rules.leave", "view.place")
 BOTH_SIDED = ("view", "leaving", "placement", "jump", "other", "best", "placed")
 SEGMENT = "rules.segment(rules, view, body, motion, spare)"
@@ -246,10 +248,13 @@ def with_argument(call: ast.Call, place: int, other: ast.expr) -> ast.Call:
 
 
 def other_length(node: ast.AST) -> Iterator[ast.AST]:
-    """Nothing, and twice as much, for a length that is handed on by its name."""
+    """Nothing, and twice as much, for a length that is handed on by its name, and for a quantity that is returned."""
     if isinstance(node, ast.keyword) and node.arg in (*LENGTHS, "width") and isinstance(node.value, ast.Name):
         yield ast.keyword(node.arg, times_zero(node.value))
         yield ast.keyword(node.arg, ast.BinOp(node.value, ast.Add(), node.value))
+    if isinstance(node, ast.Return) and node.value is not None and ast.unparse(node.value) in RETURNED:
+        yield ast.Return(times_zero(node.value))
+        yield ast.Return(ast.BinOp(node.value, ast.Add(), node.value))
 
 
 def by_hand(node: ast.AST) -> Iterator[ast.AST]:
