@@ -14,7 +14,7 @@ from typing import Any
 
 from properties.contracts.contract import REAR, SEGMENT_EXACT, Ahead, Stretch, assume_required, promise
 from properties.contracts.request import any_round, seen_by, stand_in
-from properties.contracts.strings import GAPS_FIT, any_edge, border_and_neighbour, level_of, place, world_with
+from properties.contracts.strings import GAPS_FIT, border_and_neighbour, level_of, place, world_with
 from properties.engine.rounded import Machine, Rounded
 from properties.given import Given
 from reference.world import Facing, World
@@ -203,7 +203,7 @@ def push_keeps_the_margin_nearly(
 
     The body ahead goes as far as it says, by a sum of its own.
     """
-    machine, margin, length = Machine(given), given.number("margin"), any_edge(given, "the edge")
+    machine, margin, length = Machine(given), given.number("margin"), given.number("length of the edge")
     near, far = place(given, "the front", 0, length), place(given, "the body ahead", 0, length)
     given.assume(far.location >= near.location, IN_ORDER.id)
     ends = EdgePosition(0, length * 0), EdgePosition(0, length)

@@ -36,6 +36,7 @@ from properties.evidence.mutants.contracts import (
 from properties.evidence.mutants.engine import crashing_tests, failed_tests, of_engine
 from properties.evidence.mutants.equal import EQUAL, proved_equal
 from properties.evidence.mutants.invariants import of_invariants
+from properties.evidence.mutants.levels import ON_LEVELS, of_levels
 from properties.evidence.mutants.mutant import Mutant
 from properties.evidence.mutants.outings import STEPPED
 from properties.evidence.mutants.record import Kills, Record
@@ -95,13 +96,14 @@ GROUPS: dict[str, Callable[[], dict[str, Mutant]]] = {
     "velocity": of_velocities,
     "display": of_displays,
     "worlds": of_worlds,
+    "levels": of_levels,
     "contracts": of_contracts,
     "obligations": of_obligations,
     "invariants": of_invariants,
     "stepped": of_judges,
     "engine": of_engine,
 }
-WRONG = ("rules", "steps", "velocity", "display", "worlds", "contracts")
+WRONG = ("rules", "steps", "velocity", "display", "worlds", "levels", "contracts")
 """The groups of which obligations are to notice each."""
 OF_RULES = ("rules", "steps", "velocity", "display")
 """The groups of which all obligations that catch one are recorded."""
@@ -140,6 +142,17 @@ class Known:
         """The same of those on which all wrong rules are tried: of very many, only those that have few paths."""
         few = self.few
         return {name: called for name, called in self.calls.items() if name in few or not name.startswith(MANY)}
+
+    @property
+    def on_levels(self) -> dict[str, frozenset[str]]:
+        """The same of those that are about strings of any number of edges and bodies, and about ticks."""
+        return {name: called for name, called in self.calls.items() if name.startswith(ON_LEVELS)}
+
+    def tried_on(self, group: str) -> dict[str, frozenset[str]]:
+        """The same of those on which the wrong ones of a group are tried."""
+        if group == "levels":
+            return self.on_levels
+        return self.few if group == "worlds" else self.tried
 
     @property
     def premises(self) -> dict[str, tuple[str, ...]]:
@@ -200,7 +213,9 @@ def kills_of(known: Known, group: str, name: str) -> tuple[Kill, ...]:
             return tuple(Kill("test", (test,)) for test in failed_tests())
         if group == "worlds":
             first = one_or_none(kill_by_measures()) or tuple(outings.kills_by_storeys(first=True))
-            return (*first, *kills_by_proofs(mutant, known.few))
+            return (*first, *kills_by_proofs(mutant, known.tried_on(group)))
+        if group == "levels":
+            return tuple(kills_by_proofs(mutant, known.tried_on(group)))
         if group in OF_A_FAMILY:
             return tuple(kills_by_proofs(mutant, known.tried)) or tuple(kills_by_counts(of_family(group)))
         proofs = tuple(kills_by_proofs(mutant, known.tried))
@@ -240,9 +255,8 @@ def taken_over(known: Known, group: str, name: str) -> Found | None:
 
 def kills_by_new_proofs(known: Known, group: str, name: str) -> Iterator[Kill]:
     """The obligations that catch a mutant of the rules, of those that the record does not know yet."""
-    of_group = known.few if group == "worlds" else known.tried
-    calls = {one: called for one, called in of_group.items() if one not in known.recorded.premises}
-    if group in (*OF_RULES, "worlds"):
+    calls = {one: called for one, called in known.tried_on(group).items() if one not in known.recorded.premises}
+    if group in (*OF_RULES, "worlds", "levels"):
         mutant = GROUPS[group]()[name]
         with mutant.in_place():
             yield from kills_by_proofs(mutant, calls)
@@ -319,7 +333,8 @@ def set_aside(known: Known, group: str, name: str) -> str | None:
             crash = outings.crash_in_storeys()
         crashes = f"{CRASHING}: {crash}" if crash else crash_of(mutant, known.calls)
         return no_change(mutant, known.calls) or crashes
-    return no_change(mutant, known.calls) or crash_of(mutant, known.calls)
+    calls = known.on_levels if group == "levels" else known.calls
+    return no_change(mutant, calls) or crash_of(mutant, calls)
 
 
 Progress = Callable[[str, int, int], None]
