@@ -197,16 +197,15 @@ def laws_hold(profile: Profile, given: Given, direction: Direction, closed: bool
     view, at = held.facing(direction), held.facing(direction).front(0)
     if closed:
         given.assume(free < held.rows[0].length, SOMEBODY)
-        given.assume(view.gap(at, 1) >= 0, IN_ORDER.id)
     check_steps(given, view, at)
     check_sight(given, view, at)
     check_placing(given, view, at)
 
 
 def check_steps(given: Given, view: Facing[Any], at: EdgePosition[Any]) -> None:
-    """Promise that a step on an edge lessens the distance to its end, and the gap, by the step."""
+    """Promise that a step within the gap lessens the distance to the end of the edge, and the gap, by the step."""
     reach, gap_now, step = view.reach(at), view.gap(at, 1), given.number("a step")
-    given.assume((step <= reach) & (step <= gap_now), "the step is on the edge, and within the gap")
+    given.assume(step <= gap_now, IN_ORDER.id)
     further = view.along(at, step)
     given.ensure("the end of the edge is reached", view.reach(view.end(at)) == 0)
     given.ensure("it lessens the distance to the end", view.reach(further) == reach - step)
