@@ -74,7 +74,7 @@ def centres_are_lawful(profile: Profile, given: Given, direction: Direction, clo
     at, half, other = plain.front(0), given.number("half the width"), given.number("half the width of the one ahead")
     between, end = plain.gap(at, 1), world.to_wall(0, direction)
     given.assume(half > 0, HAS_WIDTH)
-    given.assume(between >= half + other, IN_ORDER.id)
+    given.assume(between >= half, IN_ORDER.id)
     places = [{Part.CENTRE: at}, {Part.CENTRE: plain.rear(1)}]
     view: Any = Crowd(ONE, profile, world, [half, other], places, by_order).facing(direction).leading(0)
     room = None if end is None else end - half

@@ -18,7 +18,7 @@ from properties.contracts.strings import GAPS_FIT, border_and_neighbour, level_o
 from properties.engine.rounded import Machine, Rounded
 from properties.given import Given
 from reference.world import Facing, World
-from spec.body import EdgePosition
+from spec.body import EdgePosition, Level
 from spec.conditions import EDGES_LONG, IN_ORDER
 from spec.graph import Direction
 from spec.invariants import equal
@@ -94,6 +94,7 @@ def any_scene(given: Given, direction: Direction, closed: bool, last: bool) -> S
     """Any body with any other ahead, on edges as long as the margin."""
     machine, free = Machine(given), given.number("free space of the ring")
     level = border_and_neighbour(given, closed, last)
+    take_a_margin(given, level)
     for edge in level.graph.edges if closed else level.graph.edges[1:]:
         given.assume(edge.length >= level.margin, EDGES_LONG.id)
     level = level if direction is Direction.RIGHT else mirror(level)
@@ -103,6 +104,11 @@ def any_scene(given: Given, direction: Direction, closed: bool, last: bool) -> S
         given.assume((gap <= free) & (gap >= 0), GAPS_FIT)
         given.assume(free + LITTLE <= length, WIDER)
     return Scene(machine, exact, held_by(machine, exact.world, free).facing(direction))
+
+
+def take_a_margin(given: Given, level: Level[Any]) -> None:
+    """Assume that the margin is positive: no proof needs it, but with edges of no length they take twice as long."""
+    given.assume(level.margin > 0, "the margin is positive")
 
 
 def held_by(machine: Machine, exact: World[Any], free: Any) -> World[Any]:
