@@ -53,6 +53,10 @@ OBLIGATIONS = (
     "properties.contracts.bounces",
     "properties.contracts.reach",
     "properties.contracts.velocities",
+    "properties.contracts.strings",
+    "properties.contracts.display",
+    "properties.contracts.designs",
+    "properties.contracts.physics",
     "properties.worlds.window",
 )
 WHOLE_STEPS = ("seen_by", "steps_keep_the_invariants", "steps_have_mirror_images", "steps_may_be_split")
