@@ -280,12 +280,17 @@ def test_a_mirror_image_that_is_not_one_is_found(monkeypatch, closed):
 
 @pytest.mark.parametrize("cut", [1, 2])
 def test_a_split_that_loses_a_piece_is_found(monkeypatch, cut):
-    monkeypatch.setattr(strings, "split", lambda level, edge, at, vertex: split(level, edge, at * 2, vertex))
+    monkeypatch.setattr(strings, "split", split_from_behind)
     outcome = outcome_of(strings.split_is_alike, closed=False, one_edge=False, cut=cut)
     assert outcome.proved, "cutting elsewhere changes nothing"
     monkeypatch.setattr(strings, "split", shortened)
     outcome = outcome_of(strings.split_is_alike, closed=False, one_edge=False, cut=cut)
     assert "the same length" in outcome.counterexample.broken
+
+
+def split_from_behind(level, edge, at, vertex):
+    """A split as far from the right end of the edge."""
+    return split(level, edge, level.graph.edges[edge].length - at, vertex)
 
 
 def shortened(level, edge, at, vertex):

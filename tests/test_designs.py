@@ -97,7 +97,7 @@ def leading_as_a_border(crossing, body):
         ("reach", lambda view, at: view.plain.reach(at), "where no edge follows, the wall is as far as it reaches"),
         ("to_wall", lambda view, at: None, "the wall is that of the border"),
         ("end", lambda view, at: view.plain.end(at), "the end of the edge is reached"),
-        ("beyond", lambda view, at: view.plain.beyond(at), "on this edge and the next a body is seen"),
+        ("beyond", lambda view, at: view.plain.beyond(at), "where an edge follows, the wall is further than that"),
         ("ahead", lambda view, body, at: None, "on the last edge a body ahead is seen"),
         ("gap", lambda view, at, other: view.plain.gap(at, other), "the gap is that of the borders"),
     ],

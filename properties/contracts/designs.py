@@ -10,7 +10,7 @@ from typing import Any
 
 from properties.contracts.counts import row_in_contact
 from properties.contracts.errata import RIGHT, Stage
-from properties.contracts.strings import GAPS_FIT, border_and_neighbour, check_steps, world_with
+from properties.contracts.strings import border_and_neighbour, check_steps, world_with
 from properties.evidence.deeds import MOST_RULES
 from properties.given import HAS_WIDTH, Given
 from properties.worlds.rows import any_level, located, string_graph
@@ -73,12 +73,8 @@ def centres_are_lawful(profile: Profile, given: Given, direction: Direction, clo
     plain = world.facing(direction)
     at, half, other = plain.front(0), given.number("half the width"), given.number("half the width of the one ahead")
     between, end = plain.gap(at, 1), world.to_wall(0, direction)
-    if closed:
-        given.assume((between <= free) & (free < world.rows[0].length), GAPS_FIT)
-    given.assume((half > 0) & (other > 0), HAS_WIDTH)
-    given.assume(between >= half + other, IN_ORDER.id)
-    if end is not None:
-        given.assume(end - between >= other, "the body ahead is on its string")
+    given.assume(half > 0, HAS_WIDTH)
+    given.assume(between >= half, IN_ORDER.id)
     places = [{Part.CENTRE: at}, {Part.CENTRE: plain.rear(1)}]
     view: Any = Crowd(ONE, profile, world, [half, other], places, by_order).facing(direction).leading(0)
     room = None if end is None else end - half
@@ -96,16 +92,19 @@ def equal_or_none(one: Any, other: Any) -> Any:
 def check_sight_of(given: Given, view: Leading[Any], at: EdgePosition[Any], room: Any) -> None:
     """Promise where the next edge begins, where the wall is, and who is seen, by a centre."""
     reach, gap, onward, ahead = view.reach(at), view.gap(at, 1), view.beyond(at).onward, view.ahead(0, at)
+    given.ensure("the end of level ground is no ledge", not view.beyond(at).ledge)
     if onward is None:
         given.ensure("where no edge follows, the wall is as far as it reaches", equal_or_none(room, reach))
-        given.ensure("on the last edge a body ahead is seen", ahead == 1)
+        given.ensure("on the last edge a body ahead is seen", [ahead] == [1])
         return
-    given.ensure("on this edge and the next a body is seen", (gap <= reach + view.reach(onward)) == (ahead == 1))
+    in_sight = bool(gap <= reach + view.reach(onward))
+    given.ensure("on this edge and the next a body is seen", [ahead] == [1 if in_sight else None])
     if gap >= reach:
         given.ensure("the end of an edge is the beginning of the next", view.gap(onward, 1) == gap - reach)
     given.ensure(
         "the wall is nearer by the edge", equal_or_none(view.to_wall(onward), None if room is None else room - reach)
     )
+    given.ensure("where an edge follows, the wall is further than that", room is None or room > reach)
 
 
 def random_level(draw: Random, kind: Any, margin: Any, closed: bool) -> Level[Any]:

@@ -89,7 +89,7 @@ def falls_are_smooth(rules: DisplayRules, given: Given) -> None:
         given.ensure("it is not raised, but to its target", after.shown <= most)
         least = lesser(descent.shown, greater(descent.target, descent.shown - descent.by))
         given.ensure("it is lowered by what it sinks, or less at the target", after.shown >= least)
-        given.ensure("it goes on until its target", after.falling == (after.shown > descent.target))
+        given.ensure("it goes on until its target", after.falling == bool(after.shown > descent.target))
     else:
         given.ensure("it is at its target", every([after.shown == descent.target, not after.falling]))
 
@@ -111,7 +111,8 @@ def falls_arrive(rules: DisplayRules, given: Given) -> None:
     descent = any_descent(given)
     given.assume(descent.shown - descent.target <= descent.by, "it sinks by its height above its target, or more")
     after = descended(seen_by(given, rules), descent)
-    given.ensure("it is there", every([after.shown == descent.target, not after.falling]))
+    given.ensure("it is there", after.shown == descent.target)
+    given.ensure("it falls no more", not after.falling)
 
 
 def places_are_at_once(rules: DisplayRules, given: Given) -> None:
@@ -129,7 +130,7 @@ def riders_stay_on_top(rules: DisplayRules, given: Given) -> None:
     on_top = support.shown + height
     rider = descended(rules, Descent(below.shown + height + raised, on_top, carried, by))
     given.ensure("it is shown upon its support", rider.shown >= on_top)
-    if carried and below.falling and raised <= raised * 0 and below.shown >= below.target:
+    if carried and below.falling and raised <= raised * 0:
         given.ensure("one that falls with it stays upon it", rider.shown == on_top)
 
 
@@ -141,7 +142,7 @@ def turns_are_smooth(rules: DisplayRules, given: Given) -> None:
     if swing.turning:
         given.ensure("it comes nearer by the turning speed, or is there", left == greater(away - swing.by, away * 0))
         given.ensure("it turns no more than that", distance(after.shown, swing.shown) <= swing.by)
-        given.ensure("it goes on until its target", after.turning == (left > 0))
+        given.ensure("it goes on until its target", after.turning == bool(left > 0))
     else:
         given.ensure("it is at its target", every([after.shown == swing.target, not after.turning]))
 

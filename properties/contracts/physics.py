@@ -119,7 +119,7 @@ class Asked:
 
 
 def any_movers(given: Given) -> Level[Any]:
-    """Two bodies on one edge, static or dynamic, of any velocity, or with none; the tick is the unit of time."""
+    """Two characters on one edge, static or dynamic, of any velocity, or with none; the tick is the unit of time."""
     bodies = []
     for place, name in enumerate(NAMES[:2]):
         motion = None
@@ -127,7 +127,7 @@ def any_movers(given: Given) -> Level[Any]:
             material = any_material(friction=ZERO) if given.flag(f"{name} is dynamic") else None
             force = ZERO if material is None else any_velocity(given, f"force on {name}")
             motion = Motion(any_velocity(given, f"velocity of {name}"), material, ZERO, force)
-        bodies.append(box(name, 0, Fraction(2 * place), motion))
+        bodies.append(replace(box(name, 0, Fraction(2 * place), motion), speed=ONE))
     return Level(string_graph([Fraction(9)], None), ONE / 4, ONE, tuple(bodies))
 
 
@@ -135,14 +135,16 @@ def velocities_ask_for_their_way(profile: Profile, given: Given) -> None:
     """A tick asks each body that moves of its own once, in its turn, for its new velocity times the tick, and no more.
 
     Of velocities a request sees the distance alone; so what holds of any request holds whatever the velocities are.
-    The loop over the bodies is judged for two.
+    The loop over the bodies is judged for two. No key is held, so nobody else is asked.
     """
-    level, seen = any_movers(given), list[Asked]()
+    level, seen, ways = any_movers(given), list[Asked](), list[Any]()
 
     def segments(own: Rules, view: Facing[Any], body: int, motion: Walking[Any, Any], spare: Any) -> Segment:
         seen.append(Asked(level.bodies[body].name, view.direction, motion.rest))
+        given.ensure("for a distance", motion.rest >= 0)
         yield from ()
         went = given.number(f"moved by request {len(seen)}")
+        ways.append(went * view.direction)
         stand_in_for(given, SEGMENT, Stretch(asked=motion.rest, moved=went))
         return Walking(motion.at, motion.rest - went, going=False)
 
@@ -152,10 +154,10 @@ def velocities_ask_for_their_way(profile: Profile, given: Given) -> None:
     done = Game(replace(profile, rules=rules), level).tick(None)
     meant = {body.name: body.motion.velocity + body.motion.force for body in level.bodies if body.motion is not None}
     order = [name for name in profile.tick_order(NAMES[:2]) if name in meant]
-    given.ensure("each is asked once, in its turn", [one.body for one in seen] == order)
-    given.ensure("the tick says what its requests did", [one.body for one in done] == order)
+    given.ensure("each is asked once, in its turn", order == [one.body for one in seen])
+    given.ensure("the tick says what its requests did", order == [one.body for one in done])
+    given.ensure("and how far they went", ways == [one.moved for one in done])
     for one in seen:
-        given.ensure("for a distance", one.distance >= 0)
         given.ensure("for its velocity times the tick", one.distance * one.direction == meant[one.body])
 
 

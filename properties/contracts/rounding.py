@@ -14,7 +14,7 @@ from typing import Any
 
 from properties.contracts.contract import REAR, SEGMENT_EXACT, Ahead, Stretch, assume_required, promise
 from properties.contracts.request import any_round, seen_by, stand_in
-from properties.contracts.strings import GAPS_FIT, any_edge, border_and_neighbour, level_of, place, world_with
+from properties.contracts.strings import GAPS_FIT, border_and_neighbour, level_of, place, world_with
 from properties.engine.rounded import Machine, Rounded
 from properties.given import Given
 from reference.world import Facing, World
@@ -94,6 +94,7 @@ def any_scene(given: Given, direction: Direction, closed: bool, last: bool) -> S
     """Any body with any other ahead, on edges as long as the margin."""
     machine, free = Machine(given), given.number("free space of the ring")
     level = border_and_neighbour(given, closed, last)
+    take_a_margin(given, level)
     for edge in level.graph.edges if closed else level.graph.edges[1:]:
         given.assume(edge.length >= level.margin, EDGES_LONG.id)
     scene = scene_of(machine, level, free, direction)
@@ -109,6 +110,11 @@ def scene_of(machine: Machine, level: Level[Any], free: Any, direction: Directio
     """What a body sees in a level, or in its mirror image if it goes to the left; of a ring so much is free."""
     exact = world_with(level if direction is Direction.RIGHT else mirror(level), free).facing(direction)
     return Scene(machine, exact, held_by(machine, exact.world, free).facing(direction))
+
+
+def take_a_margin(given: Given, level: Level[Any]) -> None:
+    """Assume that the margin is positive: no proof needs it, but with edges of no length they take twice as long."""
+    given.assume(level.margin > 0, "the margin is positive")
 
 
 def held_by(machine: Machine, exact: World[Any], free: Any) -> World[Any]:
@@ -209,7 +215,7 @@ def push_keeps_the_margin_nearly(
 
     The body ahead goes as far as it says, by a sum of its own.
     """
-    machine, margin, length = Machine(given), given.number("margin"), any_edge(given, "the edge")
+    machine, margin, length = Machine(given), given.number("margin"), given.number("length of the edge")
     near, far = place(given, "the front", 0, length), place(given, "the body ahead", 0, length)
     given.assume(far.location >= near.location, IN_ORDER.id)
     ends = EdgePosition(0, length * 0), EdgePosition(0, length)

@@ -17,6 +17,8 @@ from properties.evidence.mutants.mutant import Mutant
 from properties.evidence.mutants.trial import SAME
 from properties.given import HAS_LENGTH, HAS_WIDTH, Given
 from reference.storeys import without
+from reference.world import World
+from spec.body import EdgePosition
 from spec.graph import Direction, EdgeType
 from spec.plane import Box, box, negated, terrain
 from spec.profiles import REPAIRED
@@ -165,6 +167,18 @@ def tops_over_which_nobody_moves(mutant: Mutant, given: Given) -> None:
     promise_alike(given, mutant, lambda: [front_most(footing).support])
 
 
+def places_on_a_ring(mutant: Mutant, given: Given) -> None:
+    """Any two places on a ring, which bodies leave free but for some part of it."""
+    near, far, length = given.number("near"), given.number("far"), given.number("length of the ring")
+    free = given.number("free space of the ring")
+    given.assume(free < length, "somebody is on the ring")
+    row: Any = SimpleNamespace(closed=True, length=length, free=free)
+    held: Any = SimpleNamespace(row_of_edge=[row], coordinate=lambda at: at.location)
+    held.nearly_round = partial(World.nearly_round, held)
+    places = EdgePosition(0, near), EdgePosition(0, far)
+    promise_alike(given, mutant, lambda: [World.apart(held, *places)])
+
+
 EQUAL: dict[str, Callable[[Mutant, Given], None]] = {
     "plane.Box.beside: False instead of True (2)": heights_of_bodies,
     "plane.negated: truth <= False instead of truth == False": plain_truths,
@@ -183,6 +197,7 @@ EQUAL: dict[str, Callable[[Mutant, Given], None]] = {
     "storeys.without: right < piece.left instead of right <= piece.left": pieces_and_cuts,
     "storeys.without: left > piece.right instead of left >= piece.right": pieces_and_cuts,
     "velocity.signed: like <= zero_like(like) instead of like < zero_like(like)": velocities_that_are_lessened,
+    "world.World.apart: distance <= zero_like(distance) instead of distance < zero_like(distance)": places_on_a_ring,
     "event.time_left: nearing.room instead of greater(nearing.room, zero_like(nearing.room))": what_comes_nearer,
 }
 

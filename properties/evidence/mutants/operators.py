@@ -27,6 +27,17 @@ EXTREMES = ("lesser", "greater", "min", "max", "np.minimum", "np.maximum")
 OF_FORM = ("strict", "model_completion", "som", "arith_lhs", "sort_sums")
 """Options of `zip` and of the solver: what is noticed, in which form the same is said, which questions are saved."""
 LENGTHS = ("moved", "stride", "rest", "distance")
+HANDED_ON = (
+    "turn.motion.velocity",
+    "touch.body",
+    "bounded.velocity",
+    "moved.velocity",
+    "moved.actual",
+    "descent.target",
+    "swing.target",
+    "shift.target",
+)
+"""Quantities that a rule returns as they are, or has something else hold."""
 TWICE = ("yield Ask", "yield from rules", "rules.follow", "rules.leave", "view.place", "turns.append")
 BOTH_SIDED = ("view", "leaving", "placement", "jump", "other", "best", "placed")
 SEGMENT = "rules.segment(rules, view, body, motion, spare)"
@@ -118,6 +129,10 @@ BY_HAND: dict[str, tuple[str, ...]] = {
     "urge.drive.relative": ("urge.drive.relative and urge.carried >= urge.carried * 0",),
     "world.facing(direction)": ("world.copy().facing(direction)",),
     "Direction.LEFT if distance < zero else Direction.RIGHT": ("Direction.LEFT", "Direction.RIGHT"),
+    "length if direction is Direction.RIGHT else zero_like(length)": (
+        "length + length if direction is Direction.RIGHT else zero_like(length) - length",
+    ),
+    "self.world.put(body, left, right)": ("self.world.put(self.world.beside(body, self.direction), left, right)",),
     "walk_freely(tow.walk, tow.view, tow.rear, tow.moved).at": (
         "tow.view.along(tow.rear, tow.moved)",
         "tow.view.along(tow.rear, tow.moved + tow.view.margin)",
@@ -253,12 +268,20 @@ def with_argument(call: ast.Call, place: int, other: ast.expr) -> ast.Call:
 
 
 def other_length(node: ast.AST) -> Iterator[ast.AST]:
-    """Nothing, and twice as much, for a length that is handed on by its name; twice as much for what is returned."""
+    """Nothing, and twice as much, for a length that is handed on by its name, and for what a rule hands on as it is;
+    twice as much for a length that is returned.
+    """
     if isinstance(node, ast.keyword) and node.arg in (*LENGTHS, "width") and isinstance(node.value, ast.Name):
         yield ast.keyword(node.arg, times_zero(node.value))
         yield ast.keyword(node.arg, ast.BinOp(node.value, ast.Add(), node.value))
     if isinstance(node, ast.Return) and isinstance(node.value, ast.Attribute) and node.value.attr in LENGTHS:
         yield ast.Return(ast.BinOp(node.value, ast.Add(), node.value))
+    if isinstance(node, ast.Return) and node.value is not None and ast.unparse(node.value) in HANDED_ON:
+        yield ast.Return(times_zero(node.value))
+        yield ast.Return(ast.BinOp(node.value, ast.Add(), node.value))
+    if isinstance(node, ast.keyword) and ast.unparse(node.value) in HANDED_ON:
+        yield ast.keyword(node.arg, times_zero(node.value))
+        yield ast.keyword(node.arg, ast.BinOp(node.value, ast.Add(), node.value))
 
 
 def no_direction(node: ast.AST) -> Iterator[ast.AST]:

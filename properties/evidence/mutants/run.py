@@ -48,7 +48,7 @@ from properties.evidence.mutants.stepped import (
     kill_of_judge,
     of_judges,
 )
-from properties.evidence.mutants.texts import COUNTS, of_texts
+from properties.evidence.mutants.texts import COUNTS, ON_STRINGS, of_texts
 from properties.evidence.mutants.trial import (
     CRASHING,
     FEW,
@@ -144,6 +144,14 @@ class Known:
         many = {name for name in self.facts if name.startswith(MANY) and self.facts[name].paths > SOME}
         return {name: called for name, called in self.calls.items() if name not in many}
 
+    def tried_on(self, group: str) -> dict[str, frozenset[str]]:
+        """The same of those on which the wrong ones of a group are tried."""
+        if group in OF_RULES:
+            return self.tried
+        few = self.few
+        on_strings = ON_STRINGS if group == "texts" else ()
+        return {name: called for name, called in self.calls.items() if name in few or name.startswith(on_strings)}
+
     @property
     def premises(self) -> dict[str, tuple[str, ...]]:
         """What each obligation assumes."""
@@ -203,10 +211,10 @@ def kills_of(known: Known, group: str, name: str) -> tuple[Kill, ...]:
             return tuple(Kill("test", (test,)) for test in failed_tests())
         if group == "worlds":
             first = one_or_none(kill_by_measures()) or tuple(outings.kills_by_storeys(first=True))
-            return (*first, *kills_by_proofs(mutant, known.few))
+            return (*first, *kills_by_proofs(mutant, known.tried_on(group)))
         if group == "texts":
             counted_wrong = (Kill(one, wrong) for one in COUNTS if (wrong := miscounted(one)))
-            return tuple(kills_by_proofs(mutant, known.few)) or one_or_none(next(counted_wrong, None))
+            return tuple(kills_by_proofs(mutant, known.tried_on(group))) or one_or_none(next(counted_wrong, None))
         if group in OF_A_FAMILY:
             return tuple(kills_by_proofs(mutant, known.tried)) or tuple(kills_by_counts(of_family(group)))
         proofs = tuple(kills_by_proofs(mutant, known.tried))
@@ -246,8 +254,7 @@ def taken_over(known: Known, group: str, name: str) -> Found | None:
 
 def kills_by_new_proofs(known: Known, group: str, name: str) -> Iterator[Kill]:
     """The obligations that catch a mutant of the rules, of those that the record does not know yet."""
-    of_group = known.few if group in ("worlds", "texts") else known.tried
-    calls = {one: called for one, called in of_group.items() if one not in known.recorded.premises}
+    calls = {one: called for one, called in known.tried_on(group).items() if one not in known.recorded.premises}
     if group in (*OF_RULES, "worlds", "texts"):
         mutant = GROUPS[group]()[name]
         with mutant.in_place():
@@ -318,8 +325,6 @@ def set_aside(known: Known, group: str, name: str) -> str | None:
         return count_crash(mutant, BANK)
     if group == "stepped":
         return crash_of_judge(mutant)
-    if group == "texts" and (crash := next(filter(None, (count_crash(mutant, one) for one in COUNTS)), None)):
-        return crash
     if group == "engine":
         return crashing_tests(mutant)
     if group in ("steps", "worlds"):
@@ -327,6 +332,9 @@ def set_aside(known: Known, group: str, name: str) -> str | None:
             crash = outings.crash_in_storeys()
         crashes = f"{CRASHING}: {crash}" if crash else crash_of(mutant, known.calls)
         return no_change(mutant, known.calls) or crashes
+    if group == "texts":
+        calls, counts = known.tried_on(group), (count_crash(mutant, one) for one in COUNTS)
+        return no_change(mutant, calls) or crash_of(mutant, calls) or next(filter(None, counts), None)
     return no_change(mutant, known.calls) or crash_of(mutant, known.calls)
 
 

@@ -1,7 +1,8 @@
-"""The mutants of what obligations run beside rules and worlds: how a tick is made of requests, the closed form of a
-batch, and how a vertex is moved.
+"""The mutants of what obligations run beside rules and worlds of storeys: the world of strings, in what they ask of it;
+how a tick is made of requests; the changes of a level; the closed form of a batch.
 
-An obligation fails; of a batch, if none does, a count of small worlds that it steps.
+An obligation fails; of a batch, if none does, a count of small worlds that it steps. They are wrong ones, of which the
+mutants of these obligations say something else.
 """
 
 from __future__ import annotations
@@ -10,14 +11,19 @@ from functools import cache
 
 from properties.evidence.mutants.mutant import Mutant, mutants_of, told_apart
 
-WAYS = ("batch.moves", "batch.ways", "batch.differ", "batch.lost", "batch.furthest")
+OF_WORLD = ("lay_out", "coordinate", "width", "apart", "beside", "to_wall", "nearly_round")
+OF_FACING = ("reach", "along", "tip", "beyond", "ahead", "gap", "place")
 TEXTS = {
-    "reference.simulator": ("simulator.move", "simulator.Game.request", "simulator.Game.tick"),
-    "reference.batch": ("batch.storey_of", "batch.along_rows", "batch.accumulate", *WAYS),
-    "spec.graph": ("graph.extent",),
-    "spec.transform": ("transform.shifted",),
+    "reference.world": (*(f"World.{one}" for one in OF_WORLD), *(f"Facing.{one}" for one in OF_FACING)),
+    "reference.designs": ("Leading.reach", "Leading.end", "Leading.beyond", "Leading.ahead", "Leading.gap"),
+    "reference.simulator": ("move", "Game.request", "Game.tick"),
+    "reference.batch": ("storey_of", "along_rows", "accumulate", "moves", "ways", "differ", "lost", "furthest"),
+    "spec.graph": ("extent",),
+    "spec.transform": ("shifted", "mirror", "split"),
 }
 """The functions, by module."""
+ON_STRINGS = ("strings/", "designs/", "physics/", "ticks/")
+"""The chapters of obligations on strings of any number of edges and bodies, and on ticks; all are tried."""
 COUNTS = ("count: counts/rows-are-laid-out", "count: counts/batches-are-where-events-lead")
 """What catches those of a batch that no obligation does."""
 
@@ -25,4 +31,6 @@ COUNTS = ("count: counts/rows-are-laid-out", "count: counts/batches-are-where-ev
 @cache
 def of_texts() -> dict[str, Mutant]:
     """All mutants of these functions, by name."""
-    return told_apart([one for module, run in TEXTS.items() for one in mutants_of(module) if one.subject in run])
+    return told_apart(
+        [one for module, run in TEXTS.items() for one in mutants_of(module) if one.subject.partition(".")[2] in run]
+    )
