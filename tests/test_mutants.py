@@ -12,6 +12,7 @@ import pytest
 from properties.contracts.judging import bank, broken
 from properties.engine.explore import explore
 from properties.evidence.mutants.contracts import (
+    OBLIGATIONS,
     PREMISES,
     failure,
     leniency,
@@ -72,6 +73,10 @@ def test_there_are_mutants_of_every_guard_and_effect_and_of_every_chapter(profil
             assert {f"{rule.id}: {way} {conjunct.__name__}" for way in ("drop", "negate")} <= set(names)
     chapters = {chapter.rpartition(".")[2] for chapter in chapters_of(profile.rules)}
     assert {name.partition(".")[0] for name in names if "/" not in name.partition(":")[0]} == chapters
+
+
+def test_there_are_mutants_of_every_chapter_of_obligations():
+    assert {f"properties.contracts.{name.partition('/')[0]}" for name in programs()} <= set(OBLIGATIONS)
 
 
 def test_there_are_mutants_of_the_readings():
