@@ -93,7 +93,7 @@ def once_round(given: Given, place: Any, body: int, round_: Any) -> Any:
         return place
     found = given.number(f"where the machine has {body}")
     given.assume(some(found == place + round_ * rounds for rounds in (-1, 0, 1)), "it may have come round")
-    given.assume(found <= round_, "places on a ring are counted once round")
+    given.assume(found < round_, "places on a ring are counted once round")
     return found
 
 
@@ -220,22 +220,20 @@ def looks_alike(given: Given, courses: Courses) -> None:
 
 def comes_round_alike(given: Given, courses: Courses) -> None:
     """Assume that on a ring two bodies are seen the same way round, and that nobody goes round more than once."""
-    round_, seen = courses.exact.circumference, courses.exact.copy()
+    exact, away, round_ = courses.exact, courses.away, courses.exact.circumference
     if round_ is None:
         return
-    seen.places = [replace(place, left=place.left.held, width=place.width.held) for place in courses.nearly.places]
-    for left, right in courses.exact.neighbours():
-        apart = courses.exact.gap(left, right) + courses.away[right] - courses.away[left]
-        given.assume(seen.gap(left, right) == apart, WIDER)
-    for body, place in enumerate(courses.exact.places):
-        for wall in courses.exact.terrain.on(place.storey):
+    for left, right in exact.neighbours():
+        apart = exact.gap(left, right) + exact.places[left].width
+        given.assume(apart + away[right] - away[left] > 0, WIDER)
+    for body, place in enumerate(exact.places):
+        for wall in exact.terrain.on(place.storey):
             for sign in (1, -1):
-                apart = [(wall.left - at) * sign for at in (place.left, seen.places[body].left)]
-                given.assume(seen.round(apart[1]) == seen.round(apart[0]) - courses.away[body] * sign, WIDER)
+                along = exact.round((wall.left - place.left) * sign) - away[body] * sign
+                given.assume((along > 0) & (along <= round_), WIDER)
         if place.support is not None:
-            offset = courses.exact.offset(body, place.support)
-            moved = offset + courses.away[body] - courses.away[place.support]
-            between = moved * 2 + place.width - courses.exact.places[place.support].width
+            moved = exact.offset(body, place.support) + away[body] - away[place.support]
+            between = moved * 2 + place.width - exact.places[place.support].width
             given.assume(equal(between, round_ * 0, round_ - LITTLE), WIDER)
     for speed in courses.speeds.values():
         given.assume(equal(speed.ways.gone, round_ * 0, round_ - LITTLE), "nobody goes round more than once")
