@@ -291,7 +291,9 @@ def itf(file: Annotated[Path, typer.Argument(help="A scenario, level or trace fi
 
 @app.command()
 def explain(
-    name: Annotated[str, typer.Argument(metavar="ID", help="An ID, as in push/request, or a source, as in R22.")],
+    name: Annotated[
+        str, typer.Argument(metavar="ID", help="An ID or an obligation, as in push/request; or a source, as in R22.")
+    ],
 ) -> None:
     """Say what an ID stands for: sentence, source, guard, effect, claims, and a scenario in which it fires."""
     from properties.explain import UnknownID, explain as lines, find, of_row

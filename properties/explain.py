@@ -7,11 +7,14 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from difflib import get_close_matches
 from functools import cache, singledispatch
+from importlib import import_module
 from inspect import getdoc
 from os.path import relpath
 from pathlib import Path
+from pkgutil import iter_modules
 from typing import Any
 
+from properties import contracts
 from properties.claims.catalogue import CLAIMS
 from properties.claims.claim import Claim
 from properties.evidence.files import RESULTS, RESULTS_LONG, WITNESSES, file_name
@@ -51,8 +54,19 @@ def everything() -> dict[str, Statement]:
     return table
 
 
+@dataclass(frozen=True)
+class ToProve:
+    """An obligation, by its name: what it says is said where it is written."""
+
+    id: str
+    sentence: str
+    source: str
+
+    kind = "obligation"
+
+
 def find(name: str) -> Statement:
-    """The statement with an ID; a claim's `claim/` may be left out.
+    """The statement with an ID, or the obligation of a name; a claim's `claim/` may be left out.
 
     Raises:
         UnknownID: if there is none.
@@ -61,7 +75,19 @@ def find(name: str) -> Statement:
     for candidate in (name, f"claim/{name}"):
         if candidate in table:
             return table[candidate]
-    raise UnknownID(name, list(table))
+    obligations = {obligation.id for claim in CLAIMS for obligation in claim.obligations}
+    if name in obligations:
+        return to_prove(name)
+    raise UnknownID(name, [*table, *obligations])
+
+
+def to_prove(name: str) -> ToProve:
+    """The obligation of a name, which is that of the function that states it, and of the setting."""
+    function = name.partition(" (")[0].partition("/")[2].replace("-", "_")
+    modules = [import_module(f"{contracts.__name__}.{one.name}") for one in iter_modules(contracts.__path__)]
+    (module,) = (one for one in modules if getattr(vars(one).get(function), "__module__", None) == one.__name__)
+    text = " ".join((getdoc(vars(module)[function]) or "").split())
+    return ToProve(name, text, f"{module.__name__.replace('.', '/')}.py, {function}")
 
 
 def of_row(row: str) -> list[Statement]:
@@ -150,6 +176,14 @@ def of_stepped_profile(statement: SteppedProfile) -> Iterator[Fact]:
     """Its models, rules and readings, and what differs from the thesis."""
     yield from (Fact(one.kind, f"{one.id}: {one.sentence}") for one in text_of(statement))
     yield from (Fact("unlike thesis", f"{one.id}: {one.sentence}") for one in DIFFERENCES)
+
+
+@of_kind.register
+def of_obligation(obligation: ToProve) -> Iterator[Fact]:
+    """The claims that rest on it."""
+    for claim in CLAIMS:
+        if any(one.id == obligation.id for one in claim.obligations):
+            yield Fact("shows", f"{claim.id}: {claim.sentence}")
 
 
 @of_kind.register

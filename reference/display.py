@@ -13,7 +13,6 @@ from math import atan2, degrees
 from typing import Any, Generic
 
 from reference.formats.numbers import exact
-from reference.play import widths_of
 from reference.recording import Recording, following, state_after
 from reference.world import World
 from spec.body import Body
@@ -153,7 +152,7 @@ def frames(
     yield screen.shown
     for line in recording.lines:
         level = following(level, line)
-        world = state_after(level, line, widths_of(recording.profile))
+        world = state_after(recording, level, line)
         fallen = {event.body for event in line.events or () if event.event in FALLING}
         time = (level.tick if line.drive is None else exact(line.drive.time, "$.drive.time")) / parts
         for part in range(parts):

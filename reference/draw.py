@@ -17,7 +17,6 @@ from reference.drawing.scene import Window
 from reference.formats.files import one_line
 from reference.formats.numbers import exact
 from reference.formats.trace import LineRecord, MoveRecord
-from reference.play import widths_of
 from reference.recording import Recording, following, state_after
 from reference.world import LevelError, World
 from spec.profiles import Profile
@@ -50,7 +49,7 @@ def frames(recording: Recording) -> Iterator[Frame]:
         before = world
         try:
             level = following(level, line)
-            world = state_after(level, line, widths_of(recording.profile))
+            world = state_after(recording, level, line)
         except LevelError as error:
             raise BadLine(one_line(f"{step + 1}: {error}")) from None
         yield Frame(step, world, pressed(world, line), before, line, jumps)

@@ -25,11 +25,11 @@ from reference.formats.numbers import exact, number_text
 from reference.formats.scenario import DriveRecord, RemoveRecord, RequestRecord, TickRecord, check_step
 from reference.formats.trace import EventRecord, HeaderRecord, LineRecord, MoveRecord, PlaceRecord, check_line
 from reference.plan import without
-from reference.play import ONE_BY_ONE, SAME_BODIES, Played, Playing, format_of, play, profile_of, stance_of
+from reference.play import ONE_BY_ONE, SAME_BODIES, Played, Playing, format_of, play, profile_of, stance_of, widths_of
+from reference.rounding import PART
 from reference.simulator import Fulfilled, Happened
 from reference.world import LevelError, World, standing
 from spec.body import Body, Level
-from spec.features import WIDE, Widths
 from spec.profiles import AnyProfile, SteppedProfile
 from spec.registry import rules_of
 from spec.rules.velocity import Motion
@@ -43,6 +43,11 @@ class Recording:
     level: Level[Any]
     profile: AnyProfile
     lines: Iterator[LineRecord]
+
+    @property
+    def most_off(self) -> Fraction:
+        """How far its numbers may be off at most."""
+        return Fraction(0) if self.header.numbers == "exact" else Fraction(self.level.margin) / PART
 
 
 def recording(path: Path, floats: bool = False) -> Recording:
@@ -192,8 +197,9 @@ def following(level: Level[Fraction], line: LineRecord) -> Level[Fraction]:
     return level
 
 
-def state_after(level: Level[Fraction], line: LineRecord, widths: Widths = WIDE) -> World[Fraction]:
-    """The world in which a line of a trace says that its step ended: any state that bodies can be in, good or bad.
+def state_after(recording: Recording, level: Level[Fraction], line: LineRecord) -> World[Fraction]:
+    """The world of a level in which a line of a trace says that its step ended: any state that bodies can be in, good
+    or bad.
 
     Raises:
         LevelError: if bodies cannot be so.
@@ -206,7 +212,7 @@ def state_after(level: Level[Fraction], line: LineRecord, widths: Widths = WIDE)
         left, right = position_of(place.left, tops, f"{at}.left"), position_of(place.right, tops, f"{at}.right")
         motion = motion_after(body, place.velocity, f"{at}.velocity")
         bodies.append(replace(body, left=left, right=right, motion=motion))
-    return standing(replace(level, bodies=tuple(bodies)), widths)
+    return standing(replace(level, bodies=tuple(bodies)), widths_of(recording.profile), recording.most_off)
 
 
 def motion_after(body: Body[Fraction], velocity: Any, place: str) -> Motion[Fraction] | None:

@@ -61,6 +61,11 @@ class Record:
         return tuple((name, rule) for _, rule in self.fired)
 
     @property
+    def walks(self) -> int:
+        """How often a border has walked along an edge."""
+        return sum(rule.startswith("walk/") for _, rule in self.fired)
+
+    @property
     def transitions(self) -> int:
         """How often a border has passed on to the next edge."""
         return sum(rule == "walk/onward" for _, rule in self.fired)

@@ -603,14 +603,16 @@ def check_buttons(world: World[N]) -> None:
             raise LevelError(f"$.buttons[{i}].location", f"expected 0 to {length}, got {at.location}")
 
 
-def standing(level: Level[N], widths: Widths = WIDE) -> World[N]:
+def standing(level: Level[N], widths: Widths = WIDE, off: N | None = None) -> World[N]:
     """The world of a level in which bodies stand, wherever that is: perhaps within each other, or in a wall.
+
+    `off` is how far its numbers may be off, if they may.
 
     Raises:
         LevelError: if a body has another width than bodies may have, or stands on nothing.
     """
     world = laid_out(level)
-    check_widths(world, widths)
+    check_widths(world, widths, zero_like(level.margin) if off is None else off)
     return world
 
 
@@ -626,10 +628,10 @@ def laid_out(level: Level[N]) -> World[N]:
     return world
 
 
-def check_widths(world: World[N], widths: Widths = WIDE) -> None:
+def check_widths(world: World[N], widths: Widths, off: N) -> None:
     """Refuse a body of another width than bodies may have: any, if its left border is left of its right border."""
     for body in world.handles():
-        if not widths.has(world.width(body)):
+        if not widths.has(world.width(body), off):
             raise LevelError(f"$.bodies[{body}]", widths.expected)
 
 
@@ -646,7 +648,7 @@ def world_of(level: Level[N], tolerance: N | None = None, stance: Stance = STAND
     for body in world.handles():
         check_overhang(world, body, least, stance.beside)
     check_buttons(world)
-    check_widths(world, stance.widths)
+    check_widths(world, stance.widths, zero_like(level.margin) - least)
     for row in world.rows:
         if row.closed and row.free is not None and row.free < least:
             raise LevelError("$.bodies", f"the bodies are wider than the ring by {row.free * -1}")

@@ -31,9 +31,9 @@ from spec.world import P
 
 @dataclass(frozen=True)
 class Widths:
-    """Which widths bodies have, and what is expected where one has another."""
+    """Which widths bodies have, in numbers that may be off by so much, and what is expected where one has another."""
 
-    has: Callable[[Any], Truth]
+    has: Callable[[Any, Any], Truth]
     expected: str
 
 
@@ -61,18 +61,18 @@ class Feature:
         return self.id.removeprefix("feature/")
 
 
-def more_than_nothing(width: N) -> Truth:
+def more_than_nothing(width: N, off: N) -> Truth:
     """Bodies are wider than nothing."""
     return width > zero_like(width)
 
 
-def nothing(width: N) -> Truth:
-    """Bodies are points."""
-    return (width <= zero_like(width)) & (width >= zero_like(width))  # type: ignore[no-any-return]
+def nothing(width: N, off: N) -> Truth:
+    """Bodies are points: their borders are in one place, but for what roundings make of that."""
+    return (width <= off) & (width * -1 <= off)  # type: ignore[no-any-return]
 
 
 WIDE = Widths(more_than_nothing, "expected the left border to be left of the right border")
-POINTS = Widths(nothing, "expected both borders at one place: under this profile bodies have no width")
+POINTS = Widths(nothing, "expected both borders at one place, and on no ring: under this profile bodies have no width")
 
 
 class Unobstructed(Family[Departure[Any, Any], Any]):

@@ -77,8 +77,12 @@ def falls_are_steps(graph: Graph[Any], sizes: Sequence[Size]) -> Iterator[Demand
 
 
 def falls_end_level(graph: Graph[Any], sizes: Sequence[Size]) -> Iterator[Demand]:
-    """Every ground edge at the lower end of a fall edge is level."""
+    """At the lower end of a fall edge there is ground, or the next fall edge; and every ground edge there is level."""
     feet = {edge.right if edge.rise < 0 else edge.left: place for place, edge in edges_of(graph, EdgeType.FALL)}
+    ends = [vertex for edge in graph.edges for vertex in (edge.left, edge.right)]
+    for foot, place in feet.items():
+        if ends.count(foot) == 1:
+            yield Demand(place, False, "ends at no ground", "let it end at level ground")
     for place, edge in edges_of(graph, EdgeType.GROUND):
         for foot in {edge.left, edge.right} & feet.keys():
             rises = (edge.rise * edge.length,)

@@ -92,12 +92,12 @@ def ledge_under(deed: Deed[Any]) -> Truth:
 
 def sharp_ledge(deed: Deed[Any], fired: Fired) -> Truth:
     """It is blocked at the corner of a top, in the middle of which a ledge begins that it could step onto."""
-    return ledge_under(deed) if "leave/nowhere" in fired else False
+    return ledge_under(deed) if "leave/nowhere" in fired and on_body(deed) else False
 
 
 def falls_off_body(deed: Deed[Any], fired: Fired) -> Truth:
     """It is blocked at the corner of a top with nothing to step onto."""
-    return negated(ledge_under(deed)) if "leave/nowhere" in fired else False
+    return negated(ledge_under(deed)) if "leave/nowhere" in fired and on_body(deed) else False
 
 
 def does_not_fit(deed: Deed[Any], fired: Fired) -> Truth:

@@ -85,6 +85,17 @@ def test_everything_listed_can_be_explained(tmp_path):
         assert statement.id not in moving or any("graphbody simulate" in line for line in lines)
 
 
+def test_all_that_is_to_be_proved_can_be_explained():
+    from properties.claims.catalogue import CLAIMS
+    from properties.explain import explain, find
+
+    for claim in CLAIMS:
+        for obligation in claim.obligations:
+            found = find(obligation.id)
+            assert found.sentence
+            assert f"  shows: {claim.id}: {claim.sentence}" in list(explain(found))
+
+
 def test_a_row_of_the_register_is_explained_by_the_statements_that_have_it_as_their_source(tmp_path):
     done = graphbody("explain", "R22", cwd=tmp_path)
     assert done.returncode == 0

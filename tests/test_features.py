@@ -1,9 +1,11 @@
 """Profiles without falls, collisions or width, and what the map says of them."""
 
+import json
 from dataclasses import replace
 from fractions import Fraction
 
 import pytest
+from command import graphbody
 
 from properties.claims.features import LEFT, WITH_RIDERS, promises_of
 from properties.contracts import families, features
@@ -59,6 +61,49 @@ def test_a_body_with_a_width_is_refused_where_bodies_have_none_and_the_other_way
     (tmp_path / "point.json").write_text(text.replace("thesis/no-collisions", "thesis/no-width"))
     with pytest.raises(FormatError, match=r"\$\.level\.bodies\[0\]: expected both borders at one place"):
         play(tmp_path / "point.json")
+
+
+def test_points_that_roundings_have_given_a_width_are_points(tmp_path):
+    places = {"A": {"edge": 2, "location": 0}, "B": {"edge": 2, "location": 0.5}}
+    held = [{"name": name, "left": at, "right": at} for name, at in places.items()]
+    level = {
+        "format": "graphbody/level@1",
+        "name": "l",
+        "vertices": [[0, 0], [1, 0], [1, 2], [2, 2]],
+        "margin": "1/8",
+        "bodies": held,
+    }
+    steps = [{"request": {"body": "A", "distance": distance}} for distance in ("1/3", 4)]
+    scenario = {"format": "graphbody/scenario@1", "name": "s", "profile": "thesis/no-width", "level": level}
+    (tmp_path / "s.json").write_text(json.dumps({**scenario, "steps": steps}))
+    trace = graphbody("simulate", "s.json", "--floats", "--json", cwd=tmp_path).stdout
+    (tmp_path / "t.jsonl").write_text(trace)
+    last = json.loads(trace.splitlines()[-1])
+    assert last["bodies"][0]["left"] != last["bodies"][0]["right"]
+    assert graphbody("validate", "t.jsonl", cwd=tmp_path).returncode == 0
+    for border in ("left", "right"):
+        last["bodies"][0][border]["location"] = 0.75
+    (tmp_path / "t.jsonl").write_text("\n".join([*trace.splitlines()[:-1], json.dumps(last)]))
+    done = graphbody("validate", "t.jsonl", cwd=tmp_path)
+    assert (done.returncode, done.stderr) == (1, "")
+
+
+def test_a_state_that_no_rule_is_about_is_named(tmp_path):
+    """A is said to be wholly beyond a ledge, which is a wall without falls."""
+    held = [{"name": "A", "left": {"edge": 2, "location": 0}, "right": {"edge": 2, "location": 1}}]
+    vertices = [[0, 0], [1, 0], [1, 2], [3, 2]]
+    level = {"format": "graphbody/level@1", "name": "l", "vertices": vertices, "margin": "1/8", "bodies": held}
+    steps = [{"request": {"body": "A", "distance": -1}}] * 2
+    scenario = {"format": "graphbody/scenario@1", "name": "s", "profile": "thesis/no-falls", "level": level}
+    (tmp_path / "s.json").write_text(json.dumps({**scenario, "steps": steps}))
+    header, first, second = graphbody("simulate", "s.json", "--json", cwd=tmp_path).stdout.splitlines()
+    beyond = json.loads(first)
+    for border, location in (("left", -2), ("right", -1)):
+        beyond["bodies"][0][border]["location"] = location
+    (tmp_path / "t.jsonl").write_text("\n".join([header, json.dumps(beyond), second]))
+    done = graphbody("validate", "t.jsonl", cwd=tmp_path)
+    assert (done.returncode, done.stderr) == (1, "")
+    assert "t.jsonl:2: $.bodies: no rule says what comes of it, leave: no rule applies" in done.stdout
 
 
 def test_every_feature_can_be_taken_away_and_so_can_each_pair():

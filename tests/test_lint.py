@@ -103,6 +103,14 @@ def test_bodies_of_several_sizes_are_each_found_and_an_edge_once_for_the_widest(
     assert edge.seen == "is 1 long, less than 2, the width of bodies 'B' and 'C'"
 
 
+@pytest.mark.usefixtures("few_requests")
+def test_a_fall_edge_that_ends_at_no_ground_is_found_and_stops_who_comes_to_it(tmp_path):
+    edges = [{"type": "ground", "left": 0, "right": 1}, {"type": "fall", "left": 1, "right": 2}]
+    vertices = [["0", "1"], ["4", "1"], ["4", "0"]]
+    (one,) = lint(level_file(tmp_path, [("A", 0, "2", "3")], vertices, edges=edges)).findings
+    assert (one.statement, one.place, one.seen) == ("guideline/level-landings", "$.edges[1]", "ends at no ground")
+
+
 def test_a_ground_edge_shorter_than_the_margin_is_named_among_all_edges(tmp_path):
     vertices = [["0", "1"], ["0", "0"], ["4", "0"], ["33/8", "0"], ["8", "0"]]
     record = lint(level_file(tmp_path, [("A", 1, "0", "1")], vertices, margin="1/4"))

@@ -5,6 +5,7 @@ import random
 from dataclasses import replace
 from fractions import Fraction
 from functools import partial
+from itertools import pairwise
 from pathlib import Path
 from random import Random
 
@@ -14,10 +15,11 @@ import pytest
 
 from properties.claims.rounding import INSTANTS, NEARLY, ON_RINGS, PAIR
 from properties.comparison.levels import any_level
-from properties.conformance.judge import Finding, expect, judge
+from properties.conformance.judge import Finding, displaced, expect, judge
 from properties.conformance.spread import ON_A_LINE, roundings_of, spread
 from properties.conformance.stepping import OfSteps
 from properties.conformance.validate import OfRequests, validate
+from properties.conformance.walks import most_walks
 from properties.contracts import floats, rounded_steps, rounding
 from properties.contracts.request import judged
 from properties.engine.explore import explore
@@ -25,11 +27,11 @@ from properties.engine.rounded import Machine, Rounded
 from properties.given import Exact
 from properties.strategies.storeys import outing
 from properties.worlds.changes import in_floats
-from properties.worlds.rows import string_graph
+from properties.worlds.rows import located, string_graph
 from reference.formats.level import level_record
 from reference.play import play
 from reference.recording import header_of, lines_of
-from reference.rounding import ROUNDINGS, UNIT_ROUNDOFF, largest, tolerance
+from reference.rounding import ROUNDINGS, UNIT_ROUNDOFF, largest, rounding as rounding_of, tolerance
 from reference.simulator import move
 from reference.stepping import run
 from reference.storeys import Place, StoreyWorld, Terrain
@@ -246,7 +248,7 @@ def test_long_rows_in_floats_are_within_the_tolerance(numbers, bodies, edges, di
     expected = expect(THESIS, World(level), asked)
     (record,) = expected.records
     assert record.depth > 1
-    most = UNIT_ROUNDOFF[numbers] * largest(level) * ROUNDINGS * floats.walks(record)
+    most = UNIT_ROUNDOFF[numbers] * largest(level) * ROUNDINGS * record.walks
     for one, two in zip(expected.world.bodies, world.bodies, strict=True):
         for a, b in ((one.left, two.left), (one.right, two.right)):
             along = expected.world.coordinate(EdgePosition(b.edge, Fraction(float(b.location))))
@@ -273,9 +275,74 @@ def test_an_unlucky_row_conforms_with_the_tolerance_of_its_walks_and_not_with_th
     seen = World(with_numbers(replace(level, bodies=tuple(world.bodies)), Fraction, lambda slope: slope))
     asked = ((0, RIGHT, distance),)
     (record,) = expect(THESIS, World(level), asked).records
-    enough = tolerance("float64", level, distance, walks=floats.walks(record))
+    enough = tolerance("float64", level, distance, walks=record.walks)
     assert judge(THESIS, World(level), asked, seen, enough).finding is Finding.AGREES
     assert judge(THESIS, World(level), asked, seen, tolerance("float64", level, distance)).finding is not Finding.AGREES
+
+
+def row_that_ends_at_vertices(bodies):
+    """An unlucky row in which each front border ends at a vertex, and the distance of the request."""
+    level, distance = floats.unlucky_row(bodies)
+    room = level.bodies[1].left.location - level.bodies[0].right.location - level.margin
+    ends = [one.right.location + distance - room * place for place, one in enumerate(level.bodies)]
+    lengths = [end - begin for begin, end in pairwise([Fraction(0), *ends, ends[-1] + 1])]
+    return replace(level, graph=string_graph(lengths, None)), distance
+
+
+def test_where_borders_end_at_vertices_floats_walk_much_more_often_and_no_more_than_is_counted():
+    level, distance = row_that_ends_at_vertices(32)
+    exact, in_float64 = World(level), World(with_numbers(level, float, float))
+    most = most_walks(exact, (0, RIGHT, distance), 32)
+    (_, one), (_, other) = (move(THESIS, world, 0, RIGHT, distance) for world in (exact, in_float64))
+    assert one.walks * 4 < other.walks <= most
+
+
+@pytest.mark.parametrize(("asked", "most"), [(1, 2), (2, 3), (2 - 2**-40, 3), (4, 4), (5 - 2**-40, 8), (6, 8)])
+def test_what_a_request_nearly_reaches_is_counted(asked, most):
+    """A stands 2 before a vertex, and has 5 free before B; A passes it with both borders, and asks B for each walk."""
+    borders = ((Fraction(0), Fraction(1)), (Fraction(7), Fraction(8)))
+    held = (Body("A", *(EdgePosition(0, at) for at in borders[0]), Fraction(0), Fraction(1)),)
+    held += (Body("B", *(EdgePosition(1, at - 3) for at in borders[1]), Fraction(0), Fraction(1)),)
+    level = Level(string_graph([Fraction(3), Fraction(20)], None), Fraction(1), Fraction(1), held)
+    assert most_walks(World(level), (0, RIGHT, Fraction(asked)), 2) == most
+
+
+TIED = 2.0**-46
+
+
+def tied_row(rng):
+    """A row on a line or round a ring, in float64: many are in contact, or nearly, and end at vertices, or nearly."""
+    fine, margin = rng.choice((2**3, 2**20, 2**44)), rng.randint(1, 4) / 8
+    distance, along, held, cuts = rng.randint(1, 8 * fine) / fine, 0.0, [], set()
+    way = distance
+    for _ in range(rng.randint(1, 8)):
+        end = along + rng.randint(fine // 4, 2 * fine) / fine
+        held.append((along, end))
+        cuts |= {at + rng.choice((0, 0, TIED, -TIED)) for at in (along + way, end, end + way) if rng.random() < 0.4}
+        room = rng.choice((0, 0, 0, rng.random(), TIED))
+        along, way = end + margin + room, max(0, way - room)
+    last = held[-1][1] + rng.choice((margin, 2, distance + 2))
+    ends = sorted({Fraction(0), Fraction(last), *(Fraction(cut) for cut in cuts if 0 < cut < last)})
+    lengths, closed = [end - begin for begin, end in pairwise(ends)], rng.random() < 0.3
+    placed = [tuple(located(lengths, Fraction(at), closed) for at in borders) for borders in held]
+    bodies = tuple(Body(str(i), *borders, Fraction(0), Fraction(1)) for i, borders in enumerate(placed))
+    graph = string_graph(lengths, ends[-1] if closed else None)
+    level = Level(graph, Fraction(margin), Fraction(1), bodies)
+    return with_numbers(level, lambda value: Fraction(float(value)), lambda slope: slope), Fraction(distance)
+
+
+def test_tied_rows_walk_no_more_often_in_floats_than_is_counted_and_are_within_ten_roundings_a_walk():
+    for seed in range(300):
+        rng = Random(seed)
+        level, distance = tied_row(rng)
+        request = (rng.randrange(len(level.bodies)), rng.choice(list(Direction)), distance)
+        exact, in_float64 = World(level), World(with_numbers(level, float, float))
+        most = most_walks(exact, request, len(level.bodies))
+        records = [move(THESIS, world, *request)[1] for world in (exact, in_float64)]
+        assert all(record.walks <= most for record in records), seed
+        allowed = rounding_of("float64", level, distance) * 10 * most
+        seen = World(with_numbers(replace(level, bodies=tuple(in_float64.bodies)), Fraction, lambda slope: slope))
+        assert not [*displaced(exact.bodies, seen, allowed)], seed
 
 
 def report_on(path, scenario):

@@ -16,9 +16,10 @@ from reference.formats.level import BodyRecord, LevelRecord, level_of, level_rec
 from reference.formats.numbers import exact
 from reference.formats.scenario import ScenarioRecord, StepRecord
 from reference.formats.trace import LineRecord
+from reference.play import stance_of
 from reference.recording import events_of
 from reference.simulator import Endless
-from reference.world import LevelError, standing, world_of
+from reference.world import LevelError, World, standing, world_of
 from spec.body import EdgePosition
 from spec.profiles import Profile
 
@@ -56,9 +57,9 @@ class Reduction:
             return self.same(with_bodies(level, bodies), line)
 
         level = with_bodies(level, without_needless(level.bodies, needs_only, kept))
-        simple = (pair for pair in simpler(level, line) if playable(pair[0]) and self.same(*pair))
+        simple = (pair for pair in simpler(level, line) if self.playable(pair[0]) and self.same(*pair))
         found = next(simple, (level, line))
-        if not playable(found[0]):
+        if not self.playable(found[0]):
             return None
         level, line = found
         asked = StepRecord(request=line.request, tick=line.tick)
@@ -70,7 +71,7 @@ class Reduction:
         if self.trials < 0:
             return False
         try:
-            held = standing(level_of(level))
+            held = standing(level_of(level), self.profile.widths)
             expected = expect(self.profile, held, requests_of(held, self.profile, line))
         except (LevelError, Endless):
             return False
@@ -78,6 +79,14 @@ class Reduction:
             return False
         pairs = zip(borders(expected, self.body), borders(self.expected, self.body), strict=True)
         return all(self.near(one, two) for one, two in pairs)
+
+    def playable(self, level: LevelRecord) -> bool:
+        """Whether a simulator accepts a level."""
+        try:
+            world_of(level_of(level), stance=stance_of(self.profile))
+        except LevelError:
+            return False
+        return True
 
     def near(self, one: EdgePosition[Fraction], two: EdgePosition[Fraction]) -> bool:
         """Whether two borders are as good as in the same place: of tops the number may have changed."""
@@ -162,14 +171,5 @@ def in_whole(level: LevelRecord, rounded: Callable[..., str]) -> LevelRecord:
 
 def margin_kept(level: LevelRecord) -> Fraction:
     """The margin, or what the nearest neighbours are apart if that is less."""
-    world = standing(level_of(level))
+    world = World(level_of(level))
     return min([world.margin, *(world.clear(*pair) for pair in world.neighbours())])
-
-
-def playable(level: LevelRecord) -> bool:
-    """Whether a simulator accepts a level."""
-    try:
-        world_of(level_of(level))
-    except LevelError:
-        return False
-    return True

@@ -249,7 +249,7 @@ class Look:
         """How the bodies stand after a line."""
         try:
             line = msgspec.json.decode(text, type=LineRecord)
-            world = state_after(self.log.level, line)
+            world = state_after(self.log, self.log.level, line)
             storeys = self.referee.storeys(world)
         except LevelError:
             return None

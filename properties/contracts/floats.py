@@ -7,7 +7,7 @@ from typing import Any
 
 from properties.worlds.rows import string_graph
 from reference.rounding import ROUNDINGS, UNIT_ROUNDOFF, largest, tolerance
-from reference.simulator import Record, move
+from reference.simulator import move
 from reference.world import World
 from spec.body import Body, EdgePosition, Level
 from spec.graph import Direction
@@ -44,12 +44,7 @@ def off_by(profile: Profile, level: Level[Fraction], distance: Fraction) -> tupl
     _, record = move(profile, exact, 0, Direction.RIGHT, distance)
     move(profile, floats, 0, Direction.RIGHT, float(distance))
     pairs = zip(exact.bodies, floats.bodies, strict=True)
-    return max(abs(one.left.location - Fraction(two.left.location)) for one, two in pairs), walks(record)
-
-
-def walks(record: Record) -> int:
-    """How often a border has walked along an edge."""
-    return sum(rule.startswith("walk/") for _, rule in record.fired)
+    return max(abs(one.left.location - Fraction(two.left.location)) for one, two in pairs), record.walks
 
 
 def long_rows_need_more(profile: Profile) -> int:
@@ -77,7 +72,7 @@ def losses_add_up(profile: Profile) -> int:
     gap = margin
     while gap >= margin - once:
         _, record = move(profile, world, 0, Direction.RIGHT, float(5 * part))
-        assert walks(record) == 4, "not a request of two bodies on one edge"
+        assert record.walks == 4, "not a request of two bodies on one edge"
         last, gap = gap, exact_gap(world)
         assert last - once <= gap < last, f"request {requests}: from {last} to {gap}"
         requests += 1
