@@ -116,7 +116,8 @@ def instants_are_the_same(rules: StepRules, given: Given) -> None:
     whole = next_instant(some, left)
     given.assume(cut <= whole.after, BEFORE)
     first = next_instant(some, cut)
-    given.ensure("the first step ends at the cut", (first.after == cut) & first.last)
+    given.ensure("the first step ends at the cut", first.after == cut)
+    given.ensure("it ends there", first.last)
     if cut >= whole.after:
         given.ensure("what comes at the cut comes there", marks(first.events) == marks(whole.events))
         return

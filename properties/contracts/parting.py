@@ -91,11 +91,16 @@ def any_rest(given: Given) -> Rest:
     return Rest(ahead, again, back, back_again, given.number("speed of what is before"), given.number("speed behind"))
 
 
+def ensure_equal(given: Given, name: str, whole: Any, apart: Any) -> None:
+    """Promise that a speed is the same in the whole row and apart."""
+    given.ensure(name, whole == apart)
+
+
 def ensure_alike(given: Given, whole: Found, apart: Found) -> None:
     """Promise that the last member of a whole row is as fast, and passes on as much, as by itself."""
-    given.ensure("it is as fast ahead", whole.speeds[-1][0] == apart.speeds[0][0])
-    given.ensure("it is as fast back", whole.speeds[-1][1] == apart.speeds[0][1])
-    given.ensure("it passes on the same again", whole.ahead_again == apart.ahead_again)
+    ensure_equal(given, "it is as fast ahead", whole.speeds[-1][0], apart.speeds[0][0])
+    ensure_equal(given, "it is as fast back", whole.speeds[-1][1], apart.speeds[0][1])
+    ensure_equal(given, "it passes on the same again", whole.ahead_again, apart.ahead_again)
 
 
 def ensure_linked(given: Given, whole: Found, apart: Found, back: Any) -> None:
@@ -138,7 +143,7 @@ def who_is_beyond_is_as_fast(rules: StepRules, given: Given, ahead: Direction) -
     if less <= 0 < others.ahead:
         given.assume((whole.back <= 0) & (others.behind <= 0), LINKED)
     ensure_alike(given, whole, apart)
-    given.ensure("it passes back the same again", whole.back_again == apart.back_again)
+    ensure_equal(given, "it passes back the same again", whole.back_again, apart.back_again)
     ensure_linked(given, whole, apart, others.back)
 
 
@@ -150,4 +155,4 @@ def who_leaves_a_wall_is_as_fast(rules: StepRules, given: Given, ahead: Directio
     given.assume(whole.velocity(0) < 0, LEAVES)
     apart = found(rules.row, [replace(member, walls=member.walls - {ahead})], others, ahead)
     ensure_alike(given, whole, apart)
-    given.ensure("it passes back the same again", whole.back_again == apart.back_again)
+    ensure_equal(given, "it passes back the same again", whole.back_again, apart.back_again)
