@@ -10,10 +10,23 @@ from functools import cache
 
 from properties.evidence.mutants.mutant import Mutant, mutants_of, told_apart
 
-WAYS = ("batch.moves", "batch.ways", "batch.differ", "batch.lost", "batch.furthest")
 TEXTS = {
     "reference.simulator": ("simulator.move", "simulator.Game.request", "simulator.Game.tick"),
-    "reference.batch": ("batch.storey_of", "batch.along_rows", "batch.accumulate", *WAYS),
+    "reference.batch": (
+        "batch.storey_of",
+        "batch.moves",
+        "batch.ways",
+        "batch.differ",
+        "batch.several_speeds",
+        "batch.sweep",
+        "batch.along_rows",
+        "batch.rooms",
+        "batch.to_walls",
+        "batch.accumulate",
+        "batch.lost",
+        "batch.reaches",
+        "batch.furthest",
+    ),
     "spec.graph": ("graph.extent",),
     "spec.transform": ("transform.shifted",),
 }
