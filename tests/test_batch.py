@@ -10,6 +10,7 @@ from library import first_step
 
 from properties.claims.repaired import BATCHES, GOING_ON
 from properties.closed_form import by_batch
+from properties.contracts.batching import batches_are_where_events_lead
 from properties.contracts.request import judged
 from properties.engine.explore import explore
 from properties.evidence.comparisons import one_way_alike
@@ -303,6 +304,14 @@ def test_a_wrong_batch_is_not_where_events_lead(monkeypatch, name):
     found = with_courses()
     monkeypatch.setattr(batches, name, WRONG[name])
     assert not all(one_way_alike(REPAIRED.rules, *pair) for pair in found)
+
+
+@pytest.mark.parametrize("name", WRONG)
+def test_a_wrong_batch_is_caught_by_a_world_of_the_bank(monkeypatch, name):
+    assert batches_are_where_events_lead(REPAIRED) > 500
+    monkeypatch.setattr(batches, name, WRONG[name])
+    with pytest.raises(AssertionError):
+        batches_are_where_events_lead(REPAIRED)
 
 
 def test_a_wrong_batch_is_refuted(monkeypatch):

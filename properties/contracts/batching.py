@@ -50,6 +50,8 @@ def wide(*places: Place[Fraction], solid: Iterable[Iterable[Wide]] = ()) -> Stor
 
 CARRIED = at(4, 12), at(5, 7, 1, on=0)
 LEDGE = [[(0, 5)]]
+SPECK = Fraction(1, 100)
+"""How much nearer roundings may have led a body."""
 SUPPORTS = at(10, 18), at(22, 30), at(11, 17, 1, on=0), at(21, 29, 1, on=1), at(13, 19, 2, on=2), at(20, 26, 2, on=3)
 OVER_A_WALL = wide(*SUPPORTS, solid=[[], [(19, 20)]])
 BETWEEN = wide(at(0, 6), at(20, 26), at(1, 5, 1, on=0), at(19, 23, 1, on=1), solid=[[(14, 15)]])
@@ -68,6 +70,8 @@ BANK: tuple[Batched, ...] = (
     Batched("both rows walk", line(at(0, 2), at(4, 6), at(11, 13), solid=[[(9, 10)]]), {0: walks(1), 2: walks(1)}, 3),
     Batched("a wall on each side", line(at(5, 7), solid=[[(0, 2), (3, 4), (9, 10), (12, 13)]]), {0: walks(1)}, 3),
     Batched("at a wall", line(at(4, 6), at(7, 9), solid=[[(3, 4), (10, 11)]]), {0: walks(1)}, 1),
+    Batched("a speck too near", line(at(1, 3), at(4 - SPECK, 6 - SPECK)), {0: walks(1)}, 2),
+    Batched("a speck too far", line(at(1, 3), at(18 + SPECK, 20 + SPECK)), {1: walks(1)}, 1),
     Batched("one that may not push", line(at(1, 3, pushes=False), at(5, 7)), {0: walks(1)}, 3, closed=False),
     Batched("on a ring", ring(at(1, 3), at(5, 7)), {0: walks(1)}, 3, closed=False),
     Batched("carried", line(*CARRIED), {0: walks(1)}, 3),
@@ -105,13 +109,20 @@ BANK: tuple[Batched, ...] = (
     Batched("three storeys", line(at(0, 8), at(1, 7, 1, on=0), at(2, 5, 2, on=1)), {0: walks(1)}, 4),
     Batched("a long row", line(*(at(3 * i, 3 * i + 1) for i in range(6))), {0: walks(1)}, 5),
 )
+NEARLY: tuple[Batched, ...] = (
+    Batched("may come off to the right", line(*CARRIED), {1: walks(1)}, 15 * HALF, closed=False),
+    Batched("comes not so near", line(*CARRIED), {1: walks(1)}, 29 * HALF / 2),
+    Batched("may come off to the left", line(*CARRIED), {1: walks(-1)}, 7 * HALF, closed=False),
+    Batched("comes not so near on the left", line(*CARRIED), {1: walks(-1)}, 13 * HALF / 2),
+)
+"""What goes by events if it comes nearer than a half to losing its support."""
 
 
 @cache
 def courses(profile: SteppedProfile) -> dict[str, list[Any]]:
     """Where events lead the bodies of each world, step by step."""
     found = {}
-    for one in BANK:
+    for one in (*BANK, *NEARLY):
         world: Any = one.world
         steps = list[Any]()
         for sign in FORTH_AND_BACK:
@@ -123,12 +134,13 @@ def courses(profile: SteppedProfile) -> dict[str, list[Any]]:
 
 def batches_are_where_events_lead(profile: SteppedProfile) -> int:
     """All worlds of the bank, stepped at once, are where events lead each; and so are very many of one of them."""
-    return sum(steps_are_right(profile, levels) for levels in (BANK, (BANK[0],) * (1 + MANY_ROWS)))
+    together = ((BANK, 0), ((BANK[0],) * (1 + MANY_ROWS), 0), (NEARLY, HALF))
+    return sum(steps_are_right(profile, *levels) for levels in together)
 
 
-def steps_are_right(profile: SteppedProfile, levels: Sequence[Batched]) -> int:
+def steps_are_right(profile: SteppedProfile, levels: Sequence[Batched], slack: Any) -> int:
     """Whether a batch of some worlds is where events lead each after each step."""
-    batch = Batch([one.world for one in levels], profile.rules)
+    batch = Batch([one.world for one in levels], profile.rules, slack)
     for step, sign in enumerate(FORTH_AND_BACK):
         batch.drive(drives_of([one.drives(sign) for one in levels]))
         batch.step(np.array([Fraction(one.duration) for one in levels]))

@@ -13,6 +13,10 @@ ARGUED = {
     "simulator.Game.request: distance <= zero instead of distance < zero": "by nothing, nobody moves either way",
     "batch.accumulate: rows <= MANY_ROWS instead of rows < MANY_ROWS": "few rows and many are swept to the same",
     "batch.ways: 1 + row.max(initial=-1) + row.max(initial=-1) instead of 1 + row.max(initial=-1)": "room to spare",
+    "batch.several_speeds: 1 + level.max(initial=-1) + level.max(initial=-1) instead of 1 + level.max(initial=-1)": (
+        "room to spare"
+    ),
+    "batch.sweep: far >= 0 instead of far > 0": "who goes nowhere is swept in vain",
     "explore.solver_for_reals: drop solver.set('random_seed', seed)": "the seed decides the work, and no answer",
     "explore.work_so_far: drop solver.check()": "what is counted is that of all solvers so far",
     "explore.Path.decide: self.met >= len(forks) instead of self.met == len(forks)": "it is never more",

@@ -13,11 +13,13 @@ from properties.evidence.mutants.mutant import Mutant, mutants_of, told_apart
 
 OF_WORLD = ("lay_out", "coordinate", "width", "apart", "beside", "to_wall", "nearly_round")
 OF_FACING = ("reach", "along", "tip", "beyond", "ahead", "gap", "place")
+OF_ROWS = ("storey_of", "along_rows", "accumulate", "rooms", "to_walls", "sweep")
+OF_BATCH = ("moves", "ways", "differ", "several_speeds", "lost", "reaches", "furthest")
 TEXTS = {
     "reference.world": (*(f"World.{one}" for one in OF_WORLD), *(f"Facing.{one}" for one in OF_FACING)),
     "reference.designs": ("Leading.reach", "Leading.end", "Leading.beyond", "Leading.ahead", "Leading.gap"),
     "reference.simulator": ("move", "Game.request", "Game.tick"),
-    "reference.batch": ("storey_of", "along_rows", "accumulate", "moves", "ways", "differ", "lost", "furthest"),
+    "reference.batch": (*OF_ROWS, *OF_BATCH),
     "spec.graph": ("extent",),
     "spec.transform": ("shifted", "mirror", "split"),
 }
