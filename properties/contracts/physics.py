@@ -155,8 +155,8 @@ def velocities_ask_for_their_way(profile: Profile, given: Given) -> None:
     meant = {body.name: body.motion.velocity + body.motion.force for body in level.bodies if body.motion is not None}
     order = [name for name in profile.tick_order(NAMES[:2]) if name in meant]
     given.ensure("each is asked once, in its turn", order == [one.body for one in seen])
-    given.ensure("the tick says what its requests did", order == [one.body for one in done])
-    given.ensure("and how far they went", ways == [one.moved for one in done])
+    names, moved = [one.body for one in done], [one.moved for one in done]
+    given.ensure("the tick says what its requests did", [order, ways] == [names, moved])
     for one in seen:
         given.ensure("for its velocity times the tick", one.distance * one.direction == meant[one.body])
 
