@@ -37,7 +37,7 @@ HANDED_ON = (
     "shift.target",
 )
 """Quantities that a rule returns as they are, or has something else hold."""
-TWICE = ("yield Ask", "yield from rules", "rules.follow", "rules.leave", "view.place")
+TWICE = ("yield Ask", "yield from rules", "rules.follow", "rules.leave", "view.place", "turns.append")
 BOTH_SIDED = ("view", "leaving", "placement", "jump", "other", "best", "placed")
 SEGMENT = "rules.segment(rules, view, body, motion, spare)"
 DEPART = "depart(rules, view, body, motion.at, rear, tow.moved)"
@@ -228,7 +228,7 @@ def no_effect(node: ast.AST) -> Iterator[ast.AST]:
 
 
 def another_time(node: ast.AST) -> Iterator[ast.AST]:
-    """A request that is made twice, a rule that is followed twice, a loop that is gone through once at most."""
+    """What is asked, followed or taken in turn twice, and a loop that is gone through once at most."""
     value = node.value if isinstance(node, ast.Assign | ast.AnnAssign | ast.Expr) else None
     if value is not None and ast.unparse(value).lstrip("(").startswith(TWICE):
         assert isinstance(node, ast.stmt)
