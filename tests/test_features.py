@@ -88,6 +88,24 @@ def test_points_that_roundings_have_given_a_width_are_points(tmp_path):
     assert (done.returncode, done.stderr) == (1, "")
 
 
+def test_a_state_that_no_rule_is_about_is_named(tmp_path):
+    """A is said to be wholly beyond a ledge, which is a wall without falls."""
+    held = [{"name": "A", "left": {"edge": 2, "location": 0}, "right": {"edge": 2, "location": 1}}]
+    vertices = [[0, 0], [1, 0], [1, 2], [3, 2]]
+    level = {"format": "graphbody/level@1", "name": "l", "vertices": vertices, "margin": "1/8", "bodies": held}
+    steps = [{"request": {"body": "A", "distance": -1}}] * 2
+    scenario = {"format": "graphbody/scenario@1", "name": "s", "profile": "thesis/no-falls", "level": level}
+    (tmp_path / "s.json").write_text(json.dumps({**scenario, "steps": steps}))
+    header, first, second = graphbody("simulate", "s.json", "--json", cwd=tmp_path).stdout.splitlines()
+    beyond = json.loads(first)
+    for border, location in (("left", -2), ("right", -1)):
+        beyond["bodies"][0][border]["location"] = location
+    (tmp_path / "t.jsonl").write_text("\n".join([header, json.dumps(beyond), second]))
+    done = graphbody("validate", "t.jsonl", cwd=tmp_path)
+    assert (done.returncode, done.stderr) == (1, "")
+    assert "t.jsonl:2: $.bodies: no rule says what comes of it, leave: no rule applies" in done.stdout
+
+
 def test_every_feature_can_be_taken_away_and_so_can_each_pair():
     dropped = {tuple(sorted(feature.name for feature in one.without)) for one in WITHOUT.values()}
     pairs = {("collisions", "falls"), ("collisions", "width"), ("falls", "width")}

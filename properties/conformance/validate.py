@@ -49,6 +49,7 @@ from spec.graph import Direction, EdgeType
 from spec.invariants import NO_OVERLAP, RIGID_WIDTH, Deed, Invariant
 from spec.plane import APART, NEVER_RAISED, PLANE_MARGIN, TERRAIN
 from spec.profiles import PROFILES, AnyProfile, Profile
+from spec.rule import GuardError
 
 OF_STRINGS: tuple[Invariant, ...] = (NO_OVERLAP, RIGID_WIDTH)
 IN_PLANE: tuple[Invariant, ...] = (APART, PLANE_MARGIN, TERRAIN)
@@ -124,6 +125,8 @@ def validate(path: Path) -> Report:
         report.unread = f"{path}:{step.number}: $: {error}"
     except FormatError as error:
         report.unread = str(error)
+    except GuardError as error:
+        report.invalid = f"{path}:{step.number - 1}: $.bodies: no rule says what comes of it, {error}"
     except StateError as error:
         report.invalid = str(error)
     except Exception as error:
