@@ -16,7 +16,7 @@ from properties.contracts.errata import Stage
 from properties.contracts.request import stand_in
 from properties.contracts.ticks import NAMES, Segment, rear_of, where_it_is
 from properties.contracts.velocities import GRAVITY, ONE, TICK, ZERO, any_material, any_velocity
-from properties.given import Given
+from properties.given import Given, Infeasible
 from properties.worlds.rows import string_graph
 from reference.simulator import Fulfilled, Game
 from reference.world import Facing, World
@@ -140,7 +140,11 @@ def velocities_ask_for_their_way(profile: Profile, given: Given) -> None:
     level, seen, ways = any_movers(given), list[Asked](), list[Any]()
 
     def segments(own: Rules, view: Facing[Any], body: int, motion: Walking[Any, Any], spare: Any) -> Segment:
-        seen.append(Asked(level.bodies[body].name, view.direction, motion.rest))
+        name = level.bodies[body].name
+        if name in [one.body for one in seen]:
+            given.ensure("nobody is asked twice", False)
+            raise Infeasible
+        seen.append(Asked(name, view.direction, motion.rest))
         given.ensure("for a distance", motion.rest >= 0)
         yield from ()
         went = given.number(f"moved by request {len(seen)}")
@@ -154,9 +158,9 @@ def velocities_ask_for_their_way(profile: Profile, given: Given) -> None:
     done = Game(replace(profile, rules=rules), level).tick(None)
     meant = {body.name: body.motion.velocity + body.motion.force for body in level.bodies if body.motion is not None}
     order = [name for name in profile.tick_order(NAMES[:2]) if name in meant]
-    given.ensure("each is asked once, in its turn", order == [one.body for one in seen])
-    given.ensure("the tick says what its requests did", order == [one.body for one in done])
-    given.ensure("and how far they went", ways == [one.moved for one in done])
+    given.ensure("each is asked in its turn", order == [one.body for one in seen])
+    names, moved = [one.body for one in done], [one.moved for one in done]
+    given.ensure("the tick says what its requests did", [order, ways] == [names, moved])
     for one in seen:
         given.ensure("for its velocity times the tick", one.distance * one.direction == meant[one.body])
 

@@ -25,7 +25,6 @@ from properties.evidence.mutants.trial import (
     explored,
     kills_by_counts,
     kills_by_proofs,
-    no_change,
     programs,
     replayed,
     said_by,
@@ -199,8 +198,7 @@ def kill_of_obligation(
     mine = [name for name, functions in calls.items() if functions & mutant.reached]
     kills = [(name, kill) for name, kills in caught.items() for kill in kills if kill.by in mine and not kill.on]
     kills.sort(key=lambda told: mine.index(told[1].by))
-    found = disagreement(mutant, kills) or failure(mutant, mine, premises) or miscount(mutant)
-    return found if found or no_change(mutant, calls) else leniency(mutant, kills)
+    return disagreement(mutant, kills) or failure(mutant, mine, premises) or miscount(mutant) or leniency(mutant, kills)
 
 
 def miscount(mutant: Mutant) -> Kill | None:

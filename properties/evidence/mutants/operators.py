@@ -235,7 +235,7 @@ def no_effect(node: ast.AST) -> Iterator[ast.AST]:
 
 
 def another_time(node: ast.AST) -> Iterator[ast.AST]:
-    """A request that is made twice, a rule that is followed twice, a loop that is gone through once at most."""
+    """What is asked, followed or taken in turn twice, and a loop that is gone through once at most."""
     value = node.value if isinstance(node, ast.Assign | ast.AnnAssign | ast.Expr) else None
     if value is not None and ast.unparse(value).lstrip("(").startswith(TWICE):
         assert isinstance(node, ast.stmt)

@@ -279,7 +279,7 @@ def again(premises: Mapping[str, tuple[str, ...]], group: str, name: str, kill: 
     beside = wrong_one(kill.on).in_place() if kill.on else nullcontext()
     with beside, GROUPS[group]()[name].in_place():
         if kill.broken == (PREMISES,):
-            return kill.broken if interface(kill.by) != premises[kill.by] else ()
+            return kill.broken if kill.by in premises and interface(kill.by) != premises[kill.by] else ()
         if kill.by == BANK_OF_STEPS:
             return judged_otherwise(str(kill.values[STEP]))
         if kill.by == MEASURED:
