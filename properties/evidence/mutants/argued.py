@@ -25,5 +25,8 @@ ARGUED = {
     "storeys.StoreyWorld.to_ledge: reach > round_ instead of reach >= round_": (
         "who is on ground all round sees it on for more than once round; else it ends before once round"
     ),
+    "parting.who_is_beyond_is_as_fast: less <= 0 <= others.ahead instead of less <= 0 < others.ahead": (
+        "where nothing is passed on in the whole row either, the two rows are given the same, and are alike"
+    ),
     "reals.Symbolic.compare: relation <= '<' instead of relation == '<'": "no other relation comes before it",
 }
