@@ -135,6 +135,20 @@ def test_a_promise_that_is_weaker_is_told_by_values_that_are_searched_for():
     assert leniency(mutant_of(of_obligations(), "two_bounces_make_way: drop given.ensure"), []) is None
 
 
+def test_every_rule_of_steps_has_a_mutant_for_one_body_only():
+    for rule in rules_of(REPAIRED):
+        assert any(name.startswith(f"{rule.id}: ") and name.endswith(" for the first body") for name in of_steps())
+
+
+def test_a_view_that_shows_a_world_as_it_is_is_told_by_a_rule_that_is_wrong_to_one_side():
+    own = mutant_of(of_obligations(), "images.from_behind: False instead of True")
+    wrong = mutant_of(of_steps(), "step.lasting: speeds[mark.body] instead of")
+    with wrong.in_place():
+        kill = attempt("images/records-look-alike (from behind) (repaired)")
+    assert kill.broken == ("the same is left",)
+    assert said_otherwise(own, wrong, kill) == ()
+
+
 def test_of_very_many_obligations_one_in_a_view_is_enough():
     many = "images/worlds-look-alike (two, from behind) (repaired)"
     assert view_of(many) == view_of(many.replace("two", "one on another"))

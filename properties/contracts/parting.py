@@ -114,7 +114,7 @@ def ensure_linked(given: Given, whole: Found, apart: Found, back: Any) -> None:
 
 
 def any_beside(given: Given, body: int, side: Direction, pushes: bool) -> Member[Any]:
-    """Any member of a row, of two in contact: between them there is no wall, on the other side there may be one."""
+    """Any member of a row with no wall on one side; on the other side there may be one."""
     walls = frozenset({side} if given.flag(f"a wall is beside {body}") else ())
     return Member(body, any_way(given, body), pushes, walls)
 
@@ -149,10 +149,9 @@ def who_is_beyond_is_as_fast(rules: StepRules, given: Given, ahead: Direction) -
 
 def who_leaves_a_wall_is_as_fast(rules: StepRules, given: Given, ahead: Direction) -> None:
     """Any member that moves away from a wall is as fast without it."""
-    member, others = any_member(given, 0), any_rest(given)
-    given.assume(ahead in member.walls, LEAVES)
-    whole = found(rules.row, [member], others, ahead)
+    member, others = any_beside(given, 0, ahead.opposite, given.flag("it may push")), any_rest(given)
+    whole = found(rules.row, [replace(member, walls=member.walls | {ahead})], others, ahead)
     given.assume(whole.velocity(0) < 0, LEAVES)
-    apart = found(rules.row, [replace(member, walls=member.walls - {ahead})], others, ahead)
+    apart = found(rules.row, [member], others, ahead)
     ensure_alike(given, whole, apart)
     ensure_equal(given, "it passes back the same again", whole.back_again, apart.back_again)

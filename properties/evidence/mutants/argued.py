@@ -33,5 +33,8 @@ ARGUED = {
         "who is on ground all round sees it on for more than once round; else it ends before once round"
     ),
     "physics.box: left + 1 * 0 instead of left + 1": "segments are stood in for, so nobody asks how wide a body is",
+    "parting.who_is_beyond_is_as_fast: less <= 0 <= others.ahead instead of less <= 0 < others.ahead": (
+        "where nothing is passed on in the whole row either, the two rows are given the same, and are alike"
+    ),
     "reals.Symbolic.compare: relation <= '<' instead of relation == '<'": "no other relation comes before it",
 }

@@ -13,6 +13,7 @@ from functools import cache
 from typing import Any
 
 from properties.claims.catalogue import CLAIMS
+from properties.contracts.request import ONE_RULE
 from properties.engine.explore import explore
 from properties.evidence.mutants.mutant import Mutant, mutants_of, told_apart
 from properties.evidence.mutants.operators import WEAKENING
@@ -281,7 +282,8 @@ class Noted:
 def leniency(mutant: Mutant, kills: Sequence[tuple[str, Kill]]) -> Kill | None:
     """Values at which a wrong rule or a wrong contract breaks an obligation, and the mutant says nothing of it.
 
-    They are looked for on wrong ones that are known to break it: first on one for each set of promises that are broken.
+    They are looked for on wrong ones that are known to break it: first on one for each set of promises that are broken,
+    last on those of which only no rule applies, or two: there no promise is judged.
     """
     first: list[tuple[str, Kill]] = []
     other: list[tuple[str, Kill]] = []
@@ -290,6 +292,7 @@ def leniency(mutant: Mutant, kills: Sequence[tuple[str, Kill]]) -> Kill | None:
         if kill.broken != (PREMISES,):
             (other if kill.broken in known else first).append((name, kill))
             known.add(kill.broken)
+    other.sort(key=lambda told: told[1].broken == (ONE_RULE,))
     for name, kill in [*first, *other][:MOST_WRONG]:
         try:
             with wrong_one(name).in_place():

@@ -91,6 +91,7 @@ BY_HAND: dict[str, tuple[str, ...]] = {
         "rules.way.choose(way).effect(way) - speed",
         "rules.way.choose(way).effect(way) if way.ahead is None else way.ahead",
     ),
+    "member.pushes": ("member.pushes and not member.walls",),
     "Way(member.body, speed, direction in member.walls, found[-1] if found else None)": (
         "Way(member.body, speed + speed, direction in member.walls, found[-1] if found else None)",
     ),
