@@ -57,7 +57,7 @@ OBLIGATIONS = (
 )
 WHOLE_STEPS = ("seen_by", "steps_keep_the_invariants", "steps_have_mirror_images", "steps_may_be_split")
 """What is about worlds of fixed shape, on which no mutants are tried."""
-SPARED = ("ways_round", "goes_one_way")
+SPARED = ("ways_round", "one_way")
 """What only has proofs come to their end."""
 PREMISES = "other premises"
 MOST_WRONG, CRASHED = 60, 3
