@@ -227,7 +227,7 @@ def comes_round_alike(given: Given, courses: Courses) -> None:
         return
     for left, right in exact.neighbours():
         apart = exact.gap(left, right) + exact.places[left].width
-        # The ways from each to the other make once round together: if both are more than none, neither is more than that.
+        # The ways from each to the other make once round together: if both are more than 0, neither is more than that.
         given.assume(apart + away[right] - away[left] > 0, WIDER)
     for body, place in enumerate(exact.places):
         for wall in exact.terrain.on(place.storey):
