@@ -120,11 +120,10 @@ def errors_spread_so(
     """What comes is early or late by no more than what its two bodies are off, and some roundings, or than the instant
     before; nobody is off by more than before, and some roundings; and where there is room enough, that is used up.
     """
-    courses, roundings = any_courses(given, setting), roundings_of(setting.ring)
+    courses, roundings = one_way(given, any_courses(given, setting), way), roundings_of(setting.ring)
     looks_alike(given, courses)
     comes_round_alike(given, courses)
     one, room = what_comes(given, courses, kind)
-    goes_one_way(given, courses, one.mark, way)
     time = Seen(getattr(profile.rules, FAMILIES[kind]), given).choose(one).effect(one)
     goes_on_in_time(given, courses, one, time)
     after = courses.nearly.copy()
@@ -145,12 +144,15 @@ def errors_spread_so(
         given.ensure(f"{body} is off by some roundings more", courses.same(off, off * 0, most))
 
 
-def goes_one_way(given: Given, courses: Courses, mark: Mark, way: Direction | None) -> None:
-    """Assume that the first body goes one way, as the second one sees it: half of what is proved then comes to its end
-    by itself, and the other half is that of the other way.
+def one_way(given: Given, courses: Courses, way: Direction | None) -> Courses:
+    """The courses in which whoever is on another goes one way on it: half of what is proved comes to its end by itself,
+    and the other half is that of the other way.
     """
-    if way is not None:
-        given.assume(toward(mark, courses.velocities) * way > 0, "it goes this way")
+    for body, place in enumerate(courses.exact.places):
+        if way is not None and place.support is not None:
+            passing = courses.velocities[body] - courses.velocities[place.support]
+            given.assume(passing * way > 0, "it goes this way on its support")
+    return courses
 
 
 def what_comes(given: Given, courses: Courses, kind: type[Mark]) -> tuple[Nearing[Any], Any]:
@@ -225,6 +227,7 @@ def comes_round_alike(given: Given, courses: Courses) -> None:
         return
     for left, right in exact.neighbours():
         apart = exact.gap(left, right) + exact.places[left].width
+        # The ways from each to the other make once round together: if both are more than 0, neither is more than that.
         given.assume(apart + away[right] - away[left] > 0, WIDER)
     for body, place in enumerate(exact.places):
         for wall in exact.terrain.on(place.storey):

@@ -85,7 +85,7 @@ WHOLE_STEPS = (
     "speeds_are_kept_for_any_part",
 )
 """What is about worlds of fixed shape, on which no mutants are tried."""
-SPARED = ("ways_round", "at_most_round", "goes_one_way", "take_a_margin")
+SPARED = ("ways_round", "at_most_round", "one_way", "take_a_margin")
 """What only has proofs come to their end, or sooner."""
 COUNTED = {
     "properties.contracts.display": (
