@@ -132,6 +132,8 @@ def test_a_promise_that_is_weaker_is_told_by_values_that_are_searched_for():
     found = leniency(weaker, [(wrong.name, kill)])
     assert (found.by, found.on) == (bounces, wrong.name)
     assert complaints({}, "obligations", weaker.name, [found]) == []
+    said = complaints({}, "obligations", weaker.name, [replace(found, values={}, broken=())])
+    assert said == [f"{bounces}: says the same of {wrong.name} without {weaker.name}"]
     assert leniency(mutant_of(of_obligations(), "two_bounces_make_way: drop given.ensure"), []) is None
 
 

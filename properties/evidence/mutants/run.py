@@ -106,6 +106,8 @@ GROUPS: dict[str, Callable[[], dict[str, Mutant]]] = {
 }
 WRONG = ("rules", "steps", "velocity", "display", "worlds", "texts", "contracts")
 """The groups of which obligations are to notice each."""
+NOTICING = ("obligations", "contracts")
+"""The groups of what is to notice them: what one says of a wrong one is another thing than the true one says."""
 OF_RULES = ("rules", "steps", "velocity", "display")
 """The groups of which all obligations that catch one are recorded."""
 OF_A_FAMILY = {"velocity", "display"}
@@ -311,7 +313,15 @@ def complaints(premises: Mapping[str, tuple[str, ...]], group: str, name: str, k
             found.append(f"{kill.by}: {lost}: no longer catches {name}")
         if now is not None and not found and set(now) != set(kill.broken):
             found.append(f"{kill.by}: says of {name} that {', '.join(now)}; recorded is {', '.join(kill.broken)}")
+        if group in NOTICING and kill.on and now == said_without(kill):
+            found.append(f"{kill.by}: says the same of {kill.on} without {name}")
     return found
+
+
+def said_without(kill: Kill) -> tuple[str, ...] | None:
+    """What the true obligation says at the values of a kill of the wrong one that is in place; None if it crashes."""
+    with wrong_one(kill.on).in_place():
+        return replayed(kill.by, kill.values)
 
 
 def set_aside(known: Known, group: str, name: str) -> str | None:
