@@ -62,6 +62,10 @@ BY_HAND: dict[str, tuple[str, ...]] = {
         "depart(rules, view, body, motion.at, view.rear(body), tow.moved)",
     ),
     "rules.leave.choose(leaving).effect(leaving)": ("Placement(motion.at, rear, tow.moved)",),
+    "Placement(leaving.view.along(leaving.front, too_far), leaving.view.end(leaving.rear), leaving.moved + too_far)": (
+        "Placement(leaving.view.along(leaving.front, too_far + too_far),"
+        " leaving.view.along(leaving.rear, too_far + too_far), leaving.moved + too_far + too_far)",
+    ),
     "walk=rules.walk": ("walk=rules.fit",),
     "fit=rules.fit": ("fit=rules.walk",),
     "landing=rules.landing": ("landing=rules.walk",),
