@@ -32,6 +32,8 @@ ARGUED = {
     "storeys.StoreyWorld.to_ledge: reach > round_ instead of reach >= round_": (
         "who is on ground all round sees it on for more than once round; else it ends before once round"
     ),
+    "request.Seen.choose: drop self.given.saw(rule.id)": "which rules fire is noted, and no promise is about that",
+    "designs.centres_are_lawful: world.copy().facing(direction) instead of world.facing(direction)": "it is only read",
     "physics.box: left + 1 * 0 instead of left + 1": "segments are stood in for, so nobody asks how wide a body is",
     "parting.who_is_beyond_is_as_fast: less <= 0 <= others.ahead instead of less <= 0 < others.ahead": (
         "where nothing is passed on in the whole row either, the two rows are given the same, and are alike"
