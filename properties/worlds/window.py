@@ -125,12 +125,10 @@ def spot(given: Given, name: str) -> Spot:
 def lonely_window(given: Given, ledges: bool) -> Window:
     """Any window with nobody ahead; see `window`."""
     margin, start = given.number("margin"), spot(given, "front")
-    given.assume(margin > 0, "the margin is positive")
     given.assume(start.length > 0, HAS_LENGTH)
     next_length, ledge = None, False
     if given.flag("an edge follows"):
         next_length = given.number("length of the next edge")
-        given.assume(next_length > 0, HAS_LENGTH)
     elif ledges and given.flag("the edge ends at a ledge"):
         ledge = True
         if given.flag("the border is in overhang"):

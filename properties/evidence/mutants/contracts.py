@@ -171,9 +171,10 @@ WRONG_ONES = (of_rules, of_steps, of_velocities, of_displays, of_worlds, of_text
 """What makes the mutants of which obligations are to notice each."""
 
 
-def wrong_one(name: str) -> Mutant:
-    """A mutant that obligations catch: of the rules, of the worlds, or of the contracts."""
-    return next(mutants[name] for mutants in (made() for made in WRONG_ONES) if name in mutants)
+@cache
+def wrong_ones() -> dict[str, Mutant]:
+    """The mutants that obligations catch, by name."""
+    return {name: mutant for made in WRONG_ONES for name, mutant in made().items()}
 
 
 def kills_of_contract(
@@ -213,7 +214,7 @@ def miscount(mutant: Mutant) -> Kill | None:
 def disagreement(mutant: Mutant, kills: Iterable[tuple[str, Kill]]) -> Kill | None:
     """A recorded kill of a wrong rule or a wrong contract of which the mutant says another thing."""
     for name, kill in kills:
-        if (now := said_otherwise(mutant, wrong_one(name), kill)) is not None:
+        if (now := said_otherwise(mutant, wrong_ones()[name], kill)) is not None:
             return Kill(kill.by, now, kill.values, name)
     return None
 
@@ -295,7 +296,7 @@ def leniency(mutant: Mutant, kills: Sequence[tuple[str, Kill]]) -> Kill | None:
     other.sort(key=lambda told: told[1].broken == (ONE_RULE,))
     for name, kill in [*first, *other][:MOST_WRONG]:
         try:
-            with wrong_one(name).in_place():
+            with wrong_ones()[name].in_place():
                 found = passed_over(mutant, kill.by)
         except CRASHES:
             crashed += 1

@@ -31,7 +31,7 @@ from properties.evidence.mutants.contracts import (
     kills_of_contract,
     of_contracts,
     of_obligations,
-    wrong_one,
+    wrong_ones,
 )
 from properties.evidence.mutants.engine import crashing_tests, failed_tests, of_engine
 from properties.evidence.mutants.equal import EQUAL, proved_equal
@@ -278,7 +278,7 @@ def again(premises: Mapping[str, tuple[str, ...]], group: str, name: str, kill: 
     if kill.by.startswith(STEPPED):
         broken = broken_in(group, name, kill.on, outings.number_of(kill))
         return None if broken is None else tuple(one for one in broken if kill.by == f"{STEPPED}{one}")
-    beside = wrong_one(kill.on).in_place() if kill.on else nullcontext()
+    beside = wrong_ones()[kill.on].in_place() if kill.on else nullcontext()
     with beside, GROUPS[group]()[name].in_place():
         if kill.broken == (PREMISES,):
             return kill.broken if kill.by in premises and interface(kill.by) != premises[kill.by] else ()
@@ -299,7 +299,7 @@ def again(premises: Mapping[str, tuple[str, ...]], group: str, name: str, kill: 
 def broken_in(group: str, name: str, on: str, number: int) -> tuple[str, ...] | None:
     """The properties that fail in a world with a mutant in place, and one beside it, if one is named."""
     outings.outing_of(number)
-    beside = wrong_one(on).in_place() if on else nullcontext()
+    beside = wrong_ones()[on].in_place() if on else nullcontext()
     with beside, GROUPS[group]()[name].in_place():
         return outings.broken_in(number)
 
@@ -308,6 +308,9 @@ def complaints(premises: Mapping[str, tuple[str, ...]], group: str, name: str, k
     """The recorded kills of a mutant that are none any more, or of which something else is said."""
     found = []
     for kill in kills:
+        if kill.on and kill.on not in wrong_ones():
+            found.append(f"{kill.by}: catches {name} on {kill.on}, which is no mutant any more")
+            continue
         now = again(premises, group, name, kill)
         for lost in (promise for promise in kill.broken if promise not in (now or ())):
             found.append(f"{kill.by}: {lost}: no longer catches {name}")
@@ -320,7 +323,7 @@ def complaints(premises: Mapping[str, tuple[str, ...]], group: str, name: str, k
 
 def said_without(kill: Kill) -> tuple[str, ...] | None:
     """What the true obligation says at the values of a kill of the wrong one that is in place; None if it crashes."""
-    with wrong_one(kill.on).in_place():
+    with wrong_ones()[kill.on].in_place():
         return replayed(kill.by, kill.values)
 
 
