@@ -9,50 +9,26 @@ it comes off the first there is a way.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from collections.abc import Iterator
 from fractions import Fraction
-from functools import cache
 from itertools import islice
 from typing import Any
 
 from properties.given import Given
-from reference.formats.level import valid_level
-from reference.formats.scenario import read_scenario
-from reference.play import LIBRARY
-from reference.stepping import StepGame, of_step
+from properties.worlds import slot
 from reference.storeys import StoreyWorld
 from spec.graph import Direction
-from spec.profiles import REPAIRED, SteppedProfile
+from spec.profiles import SteppedProfile
 from spec.rules.step import Moment, StepRules, step
-from spec.storeys import Drive, Seat
+from spec.storeys import Seat
 
 QUARTERINGS = (1, 2, 4, 8, 16, 32)
 FIRST, SECOND, BOX, OTHER = range(4)
 
 
-@dataclass(frozen=True)
-class Start:
-    """A world, who drives whom in it, and for how long."""
-
-    world: StoreyWorld[Any]
-    drives: Mapping[int, Drive[Any]]
-    duration: Any
-
-
-@cache
-def start() -> Start:
-    """The scenario after its first step, and its second step."""
-    scenario, record = read_scenario(LIBRARY / "scenarios" / "repaired-bounces.json")
-    level = valid_level(record, "$.level")
-    game, (before, after) = StepGame(REPAIRED, level), scenario.steps
-    game.step(*of_step(level, before))
-    return Start(game.storeys, *of_step(level, after))
-
-
 def bouncing(way: Any) -> StoreyWorld[Any]:
     """The world at the start, with any way from bounce to bounce."""
-    world = start().world.copy()
+    world = slot.start().world.copy()
     less = world.to_loss(BOX, Direction.RIGHT) - way
     for body in (SECOND, BOX, OTHER):
         world.advance(body, less)
@@ -61,7 +37,7 @@ def bouncing(way: Any) -> StoreyWorld[Any]:
 
 def driven(rules: StepRules, world: StoreyWorld[Any]) -> Iterator[Moment[Any]]:
     """The instants of such a world."""
-    return step(rules, world, start().drives, start().duration)
+    return step(rules, world, slot.start().drives, slot.start().duration)
 
 
 def two_bounces_make_way(rules: StepRules, given: Given) -> None:
@@ -71,8 +47,8 @@ def two_bounces_make_way(rules: StepRules, given: Given) -> None:
     world = bouncing(way)
     came = [[event.mark for event in moment.events] for moment in islice(driven(rules, world), 2)]
     given.ensure("it loses the one, then the other", came == [[Seat(BOX, 1, FIRST)], [Seat(BOX, 1, SECOND)]])
-    given.ensure("they stand as they did", [world.support(body) for body in start().drives] == [None, None, 0, 1])
-    first, second, box, other = (world.span(held).left for held in start().drives)
+    given.ensure("they stand as they did", [world.support(body) for body in slot.start().drives] == [None, None, 0, 1])
+    first, second, box, other = (world.span(held).left for held in slot.start().drives)
     given.ensure("the way is four times as long", second - first == 6 - way * 4)
     given.ensure("it is at its end", box == second - 3)
     given.ensure("they are in contact", other - box == 3)

@@ -20,7 +20,6 @@ from typing import Any
 
 from properties.claims.catalogue import CLAIMS
 from properties.claims.claim import Claim
-from properties.contracts import bounces
 from properties.evidence.export import Recorder
 from properties.evidence.files import MUTANTS
 from properties.evidence.mutants import outings
@@ -88,6 +87,7 @@ from properties.evidence.sample_steps import STOREYS
 from properties.evidence.showing import Job, Texts
 from properties.evidence.sources import sources
 from properties.evidence.store import Store
+from properties.worlds import slot
 from spec.profiles import THESIS
 
 BANK = "count: counts/invariants-judge"
@@ -179,7 +179,7 @@ def pool(*known: Known) -> ProcessPoolExecutor:
 
 def begin(*known: Known) -> None:
     """Begin a process of a pool: an interrupt ends it without a word; what true rules have made is remembered."""
-    bounces.start()
+    slot.start()
     signal.signal(signal.SIGINT, signal.SIG_DFL)
     HELD.extend(known)
 
